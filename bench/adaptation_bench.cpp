@@ -60,15 +60,15 @@ const std::vector<BallColor>& ballColors() {
 }
 
 Scene sceneOf(const BallColor& color, const Ramp& ramp, std::uint64_t seed) {
-  const auto parsed =
-      parseScene(fmt::format("seed = {}\nframes_per_second = {}\nframe_count = {}\n"
-                             "[[ball]]\ncolor = [{}, {}, {}]\nperiod = 12.0\n"
-                             "[[light]]\ntime = {}\nbrightness = {}\nkelvin = {}\n"
-                             "[[light]]\ntime = {}\nbrightness = {}\nkelvin = {}\n",
-                             seed, kRate, std::lround(kRate * (kSteady + kRamp)), color.bgr[2],
-                             color.bgr[1], color.bgr[0], kSteady, ramp.from.brightness,
-                             ramp.from.kelvin, kSteady + kRamp, ramp.to.brightness, ramp.to.kelvin),
-                 "adaptation_bench");
+  const auto parsed = parseScene(
+      fmt::format("seed = {}\nframes_per_second = {}\nframe_count = {}\n"
+                  "[[ball]]\ncolor = [{}, {}, {}]\nperiod = 12.0\n"
+                  "[[light]]\ntime = {}\nbrightness = {}\nkelvin = {}\n"
+                  "[[light]]\ntime = {}\nbrightness = {}\nkelvin = {}\n",
+                  seed, kRate, std::lround(kRate * (kSteady + kRamp)), color.bgr[2], color.bgr[1],
+                  color.bgr[0], kSteady, ramp.from.brightness, ramp.from.colorTemperature,
+                  kSteady + kRamp, ramp.to.brightness, ramp.to.colorTemperature),
+      "adaptation_bench");
   return parsed.value();
 }
 
@@ -166,7 +166,7 @@ struct Follower {
     const double time = frameTime(scene, frames->index);
     const Eigen::Vector3d off = estimate.mean - ballPosition(scene, 0, time);
     ++looks;
-    held += estimate.valid && off.norm() < scene.balls.front().radius ? 1 : 0;
+    held += estimate.isValid && off.norm() < scene.balls.front().radius ? 1 : 0;
     for (std::size_t k = 0; k < truth.size(); ++k) {
       const ColorRange& used = estimate.colors.empty() ? range : estimate.colors[k][0];
       const PixelScore score =

@@ -115,7 +115,7 @@ void benchRange(const ColorRange& range, const std::map<int, cv::Mat>& images, c
   for (const auto& [frame, box] : boxes) {
     const cv::Mat& image = images.at(frame);
     background.adaptToLight(image);
-    labels.begin(image, background, classifier);
+    labels.setImage(image, background, classifier);
     labels.ensureAllLabels();
     const cv::Mat truth = drawn(image.size(), box, 0.0);
     const cv::Mat rim = drawn(image.size(), box, kRim) & ~drawn(image.size(), box, -kRim);

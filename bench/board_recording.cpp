@@ -155,9 +155,9 @@ BoardRecording simulatedRig(std::uint64_t seed, bool rendered) {
     camera.camera = roughlyKnown(rig[k], seed, k);
     setup::BoardDetections::PerCamera seen;
     seen.name = rig[k].name;
-    seen.width = image.width;
-    seen.height = image.height;
-    seen.searchedImages = kInstants;
+    seen.imageWidth = image.width;
+    seen.imageHeight = image.height;
+    seen.searchedImageCount = kInstants;
     for (int i = 0; i < kInstants; ++i) {
       const RandomStream random(seed, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k),
                                 RandomPurpose::Noise);
@@ -231,7 +231,7 @@ Result<BoardRecording> trayRecording(const std::filesystem::path& data) {
     auto& camera = recording.seen.cameras.emplace_back(std::move(seen->cameras.front()));
     camera.name = side;
     auto& known = recording.project.cameras.emplace_back();
-    known.camera = guessedCamera(camera.width, camera.height);
+    known.camera = guessedCamera(camera.imageWidth, camera.imageHeight);
     known.camera.name = side;
   }
   return recording;

@@ -37,11 +37,11 @@ std::string textOf(const CameraDisagreement& found) {
   if (found.fault == CameraFault::Late) {
     text += fmt::format(" by {:.0f} ms", 1e3 * found.delay);
   }
-  for (const Eigen::Vector3d& turn : found.turns) {
+  for (const Eigen::Vector3d& turn : found.rotationCorrections) {
     text += fmt::format(" {:.2f} deg", turn.norm() / kDegree);
   }
   if (found.fault == CameraFault::Unit) {
-    text += fmt::format(" {}", found.scale);
+    text += fmt::format(" {}", found.metersPerUnit);
   }
   return text + fmt::format(" (log odds {:.0f})", found.logOdds);
 }
@@ -98,7 +98,7 @@ struct Faulty {
     case CameraFault::Rotated:
       return has(camera);
     case CameraFault::Unit:
-      return std::abs(found.scale * scale - 1.0) < 0.01;
+      return std::abs(found.metersPerUnit * scale - 1.0) < 0.01;
     default:
       return false;
     }
@@ -115,7 +115,7 @@ struct Outcome {
 Outcome watched(const ScenarioRun& run, const Faulty& faulty, std::int64_t frames) {
   CameraAgreement agreement(faulty.rigOf(run.rig));
   Outcome outcome;
-  const auto stated = agreement.found().size();
+  const auto stated = agreement.disagreements().size();
   double spent = 0.0;
   for (std::int64_t k = 0; k < frames; ++k) {
     const FrameSetPtr set = faulty.framesOf(run, k);
@@ -123,10 +123,10 @@ Outcome watched(const ScenarioRun& run, const Faulty& faulty, std::int64_t frame
     agreement.watch(*set, run.targets);
     spent += double(std::clock() - begin) / CLOCKS_PER_SEC;
     const bool isOfRig = stated > 0 && faulty.fault == CameraFault::Unit;
-    if ((isOfRig || agreement.found().size() > stated) && outcome.text.empty()) {
+    if ((isOfRig || agreement.disagreements().size() > stated) && outcome.text.empty()) {
       outcome.named = seconds(set->time);
-      outcome.right = faulty.isNamedBy(agreement.found().back());
-      outcome.text = textOf(agreement.found().back());
+      outcome.right = faulty.isNamedBy(agreement.disagreements().back());
+      outcome.text = textOf(agreement.disagreements().back());
     }
   }
   outcome.microseconds = 1e6 * spent / double(frames);
@@ -216,7 +216,7 @@ int main(int argc, char** argv) {
   std::vector<experiment::ScenarioDeclaration> scenarios = experiment::scenarioCatalog();
   if (grade == experiment::Grade::Real && !wanted.empty()) {
     scenarios =
-        experiment::realScenarios({wanted.front(), "bench/clips"}, experiment::clipCatalog())
+        experiment::makeRealScenarios({wanted.front(), "bench/clips"}, experiment::clipCatalog())
             .scenarios;
     std::erase_if(scenarios, [](const auto& one) { return one.clip != nullptr; });
     wanted.clear();

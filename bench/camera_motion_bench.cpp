@@ -42,7 +42,7 @@ void resize(Camera& camera, int width) {
 /// The scene at kRate, for `seconds`; its first camera turned, with images of this width (0: as the
 /// scene has them).
 Scene sceneOf(int number, double seconds, const Eigen::Vector3d& turn, int width) {
-  Scene scene = *sceneNamed(kScenes[number % 4]);
+  Scene scene = *loadScene(kScenes[number % 4]);
   scene.framesPerSecond = kRate;
   scene.frameCount = std::int64_t(seconds * kRate) + 1;
   scene.seed = std::uint64_t(number + 1);
@@ -99,7 +99,7 @@ double delayOf(int motion, double degrees, int width, Cost& cost, double& error)
       delay = time - at;
     }
   }
-  error = (sentinel.camera(0).turn.turn - turn).norm() / kDegree;
+  error = (sentinel.camera(0).rotation.turn - turn).norm() / kDegree;
   return delay;
 }
 
@@ -148,8 +148,8 @@ void measureQuiet(double minutes, int width) {
       cv::Mat image = renderer.render(0, k);
       relight(image, double(k) / kRate);
       watch(sentinel, frameSet(std::move(image), k), cost);
-      worst = std::max(worst, sentinel.camera(0).turn.turn.norm() / kDegree);
-      unassessed += k > 0 && !sentinel.camera(0).assessed;
+      worst = std::max(worst, sentinel.camera(0).rotation.turn.norm() / kDegree);
+      unassessed += k > 0 && !sentinel.camera(0).isAssessed;
     }
     alarms += sentinel.events().size();
   }

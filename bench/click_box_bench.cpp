@@ -92,7 +92,8 @@ void followFrom(const BoxClip& clip, const std::vector<cv::Mat>& images, std::si
     const ImageBox& truth = clip.truth[frame];
     if (!truth.isEmpty()) {
       ++followed.images;
-      followed.hits += found && (found->center() - truth.center()).norm() <= clip.radius ? 1 : 0;
+      followed.hits +=
+          found && (found->center() - truth.center()).norm() <= clip.hitRadiusPx ? 1 : 0;
     }
   }
 }

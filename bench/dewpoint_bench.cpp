@@ -52,7 +52,7 @@ void follow(benchmark::State& state, const std::string& method) {
   auto inputs = openProject("demo").value();
   inputs.project.method = method;
   inputs.project.parameters = ParameterValues(methodParameters(method));
-  inputs.project.parameters.markAllGiven();
+  inputs.project.parameters.markAllAsGiven();
   for (const char* key : {"particles", "fewest_particles"}) { // barrera has no second
     static_cast<void>(inputs.project.parameters.set(key, kParticles));
   }
@@ -68,7 +68,7 @@ void follow(benchmark::State& state, const std::string& method) {
   for ([[maybe_unused]] auto _ : state) {
     step();
   }
-  if (!isHeld(run.estimate(0))) {
+  if (!isConfirmed(run.estimate(0))) {
     state.SkipWithError("the ball was lost");
   }
 }

@@ -155,7 +155,7 @@ private:
   Result<SessionInputs> inputs() {
     SessionInputs inputs;
     inputs.project = cameras_.project();
-    inputs.historyBytes = kHistoryBytes;
+    inputs.maxHistoryBytes = kHistoryBytes;
     auto source = cameras_.open();
     if (!source) {
       return tl::make_unexpected(source.error());

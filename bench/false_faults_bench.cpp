@@ -309,7 +309,8 @@ private:
     if (one.wrong > 0 || (verbose_ && one.named == 0 && !planted.empty())) {
       fmt::print("  {}: {}\n", name, found.empty() ? "nothing named" : "");
       for (const DetectedFault& fault : found) {
-        fmt::print("    {} gain {:.0f}: {}\n", faultName(fault.fault), fault.gain, fault.sentence);
+        fmt::print("    {} gain {:.0f}: {}\n", faultName(fault.fault), fault.logLikelihoodGain,
+                   fault.sentence);
       }
       std::fflush(stdout);
     }

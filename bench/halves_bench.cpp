@@ -62,14 +62,14 @@ Result<Half> calibrated(const BoardRecording& recording, const setup::BoardDetec
     const auto& camera = seen.cameras[k];
     request.cameras.push_back({recording.project.cameras[k].camera, {}});
     views.push_back(camera.views);
-    widths.push_back(camera.width);
+    widths.push_back(camera.imageWidth);
     if (lenses) {
       IntrinsicsRequest lens;
       lens.board = recording.board;
-      lens.views = chooseViews(recording.board, camera.views, camera.width, camera.height,
+      lens.views = chooseViews(recording.board, camera.views, camera.imageWidth, camera.imageHeight,
                                defaults.maxViews);
-      lens.width = camera.width;
-      lens.height = camera.height;
+      lens.width = camera.imageWidth;
+      lens.height = camera.imageHeight;
       auto result = calibrateIntrinsics(lens);
       if (!result) {
         return tl::make_unexpected(result.error());
@@ -137,10 +137,10 @@ corners(const CameraRig& a, const CameraRig& b, const setup::BoardDetections& se
   return points;
 }
 
-double scale95(const Half& half, const BoardDescription& board) {
+double scaleError95(const Half& half, const BoardDescription& board) {
   const double side = board.squareSize * std::max(board.squareColumns(), board.squareRows());
   const double ruler = kNinetyFive * kRulerSigma / side;
-  const double all = half.accuracy.scale95.value_or(0.0);
+  const double all = half.accuracy.scaleError95.value_or(0.0);
   return std::sqrt(std::max(0.0, all * all - ruler * ruler));
 }
 
@@ -157,8 +157,8 @@ void compare(const BoardRecording& recording, const Half& a, const Half& b, bool
     }
   };
   for (std::size_t k = 0; k < rigA.size(); ++k) {
-    const CameraFit& fitA = a.extrinsics.fits[k];
-    const CameraFit& fitB = b.extrinsics.fits[k];
+    const CameraFit& fitA = a.extrinsics.cameraFits[k];
+    const CameraFit& fitB = b.extrinsics.cameraFits[k];
     if (fitA.centerSigma > 0.0 && fitB.centerSigma > 0.0) {
       add("camera position", (rigA[k].center() - rigB[k].center()).norm(),
           kNinetyFive * fitA.centerSigma, kNinetyFive * fitB.centerSigma, 1e-3);
@@ -174,22 +174,24 @@ void compare(const BoardRecording& recording, const Half& a, const Half& b, bool
     }
   }
   const auto [inA, inB] = corners(rigA, rigB, recording.seen);
-  add("scale", fitSimilarity(inA, inB, true).scale - 1.0, scale95(a, recording.board),
-      scale95(b, recording.board), 0.01);
+  add("scale", fitSimilarity(inA, inB, true).scale - 1.0, scaleError95(a, recording.board),
+      scaleError95(b, recording.board), 0.01);
   const Similarity moved = fitSimilarity(inA, inB, false);
   std::vector<double> distances;
   for (std::size_t i = 0; i < inA.size(); ++i) {
     distances.push_back((moved * inA[i] - inB[i]).norm());
   }
   std::ranges::sort(distances);
-  const double stated = std::hypot(a.accuracy.cameraPart95, b.accuracy.cameraPart95);
+  const double stated =
+      std::hypot(a.accuracy.positionErrorFromCameras95, b.accuracy.positionErrorFromCameras95);
   for (const double distance : distances) {
     ratios["position in the volume"].push_back(distance / stated);
   }
   if (verbose && !distances.empty()) {
     fmt::print("  {} position in the volume: {:.2f}, stated {:.2f} and {:.2f}\n", recording.name,
-               1e3 * distances[distances.size() * 95 / 100], 1e3 * a.accuracy.cameraPart95,
-               1e3 * b.accuracy.cameraPart95);
+               1e3 * distances[distances.size() * 95 / 100],
+               1e3 * a.accuracy.positionErrorFromCameras95,
+               1e3 * b.accuracy.positionErrorFromCameras95);
   }
 }
 
@@ -201,7 +203,7 @@ void compareWithTruth(const CameraRig& truth, const Half& half, Ratios& ratios) 
   const CameraRig found = relativeToFirst(half.extrinsics.cameras);
   const CameraRig real = relativeToFirst(truth);
   for (std::size_t k = 0; k < std::min(found.size(), real.size()); ++k) {
-    const CameraFit& fit = half.extrinsics.fits[k];
+    const CameraFit& fit = half.extrinsics.cameraFits[k];
     if (fit.centerSigma > 0.0) {
       ratios["true camera position"].push_back((found[k].center() - real[k].center()).norm() /
                                                (kNinetyFive * fit.centerSigma));

@@ -88,7 +88,7 @@ Tally tryRun(const ScenarioRun& run, bool verbose) {
   }
   const TrajectorySample* truth = nullptr;
   for (const TrajectorySample& sample : run.truth.samples) {
-    if (sample.frame == 0 && sample.target == run.targets.front().name && sample.valid) {
+    if (sample.frame == 0 && sample.target == run.targets.front().name && sample.isValid) {
       truth = &sample;
     }
   }
@@ -112,9 +112,9 @@ Tally tryRun(const ScenarioRun& run, bool verbose) {
   }
   experiment::RandomDraws draws(run.seed, run.scenario + " one click");
   const std::size_t clicked =
-      showing[static_cast<std::size_t>(draws.integer(0, int(showing.size()) - 1))];
-  const double aside = kWithin * std::sqrt(draws.uniform(0.0, 1.0)) * discs[clicked]->radius;
-  const double angle = draws.uniform(0.0, experiment::kFullTurn);
+      showing[static_cast<std::size_t>(draws.drawInteger(0, int(showing.size()) - 1))];
+  const double aside = kWithin * std::sqrt(draws.drawUniform(0.0, 1.0)) * discs[clicked]->radius;
+  const double angle = draws.drawUniform(0.0, experiment::kFullTurn);
   ColorSample place;
   place.camera = int(clicked);
   place.x = std::round(discs[clicked]->center.x() + aside * std::cos(angle));
@@ -131,7 +131,7 @@ Tally tryRun(const ScenarioRun& run, bool verbose) {
     return tally;
   }
   for (const ColorSample& found : lesson->samples) {
-    if (found.found) {
+    if (found.isFoundByGeometry) {
       const auto& disc = discs[std::size_t(found.camera)];
       const bool right = disc && (Eigen::Vector2d(found.x, found.y) - disc->center).norm() <
                                      (1.0 + kSlackRadii) * disc->radius;
@@ -139,9 +139,9 @@ Tally tryRun(const ScenarioRun& run, bool verbose) {
       if (verbose && !right) {
         fmt::print("  {} {} camera {} found {},{} ({} px); is {:.0f},{:.0f} r {:.1f}; click {} "
                    "{},{} ({} px)\n",
-                   run.scenario, run.seed, found.camera, found.x, found.y, found.area,
+                   run.scenario, run.seed, found.camera, found.x, found.y, found.areaPx,
                    disc ? disc->center.x() : -1.0, disc ? disc->center.y() : -1.0,
-                   disc ? disc->radius : 0.0, clicked, place.x, place.y, sample->area);
+                   disc ? disc->radius : 0.0, clicked, place.x, place.y, sample->areaPx);
       }
     }
   }
@@ -190,7 +190,7 @@ int main(int argc, char** argv) {
     const bool isWanted = wanted.empty() ? scenario.family == "S22"
                                          : std::ranges::count(wanted, scenario.name) > 0 ||
                                                std::ranges::count(wanted, scenario.family) > 0;
-    if (!isWanted || scenario.recorded) {
+    if (!isWanted || scenario.isRecorded) {
       continue;
     }
     Tally tally;

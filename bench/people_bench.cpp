@@ -99,7 +99,7 @@ void wholeFrame(benchmark::State& state, const char* method, double background, 
         tracker->iterate(team);
         people = finding->people().size();
         for (std::size_t k = 0; volumes && k < people; ++k) {
-          const auto hull = bodyHull(finding->body(finding->people()[k].identity));
+          const auto hull = bodyHull(finding->bodyOf(finding->people()[k].identity));
           benchmark::DoNotOptimize(hull.vertices.data());
         }
       });

@@ -56,7 +56,7 @@ SessionInputs inputsOf(const std::vector<std::string>& videos) {
   inputs.project.name = "seek";
   inputs.project.method = "dewpoint";
   inputs.project.parameters = ParameterValues(methodParameters("dewpoint"));
-  inputs.project.parameters.markAllGiven();
+  inputs.project.parameters.markAllAsGiven();
   inputs.project.targets = {{"ball", 0.03, {320.0, 352.0, 0.35, 1.0, 0.2, 0.9}}};
   std::vector<RecordedCamera> cameras;
   for (const std::string& video : videos) {

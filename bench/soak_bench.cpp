@@ -63,9 +63,9 @@ public:
       frame.captureTime = set->time;
       frame.image = images[static_cast<std::size_t>(set->index % round_)].clone();
       frame.origin = TimeOrigin::Driver;
-      frame.instants.captured = frame.instants.arrived = frame.instants.decoded =
+      frame.instants.capturedAt = frame.instants.arrivedAt = frame.instants.decodedAt =
           std::chrono::steady_clock::now();
-      frame.instants.stamp = set->index;
+      frame.instants.imageId = set->index;
       set->frames.push_back(std::make_shared<const Frame>(std::move(frame)));
     }
     return set;
@@ -109,7 +109,7 @@ int soak(int hours, const std::string& method) {
     inputs.project.parameters = ParameterValues(methodParameters(method));
   }
   inputs.source = std::make_unique<TirelessCameras>(scene);
-  inputs.historyBytes = kHistoryBytes;
+  inputs.maxHistoryBytes = kHistoryBytes;
   FrameCounter counter;
   Session session(std::move(inputs));
   session.setFrameTap([&](const FrameSetPtr& set) { counter.set(set->index + 1); });
@@ -128,7 +128,7 @@ int soak(int hours, const std::string& method) {
       const auto update = session.samplesSince(generation, position);
       samples = update.records.size();
       for (const TrajectorySample& sample : update.records) {
-        tracked += sample.valid ? 1 : 0;
+        tracked += sample.isValid ? 1 : 0;
       }
     }
     fmt::print("{:>5} {:>8} {:>8} {:>8} {:>10} {:>11} {:>8.2f}% {:>9.0f}\n", hour,

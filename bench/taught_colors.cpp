@@ -27,7 +27,8 @@ PixelClassifier byTable(const std::string& name, const ColorLikelihood& table) {
   return {name, [table](const cv::Mat& bgr) {
             cv::Mat values(bgr.size(), CV_8SC1);
             for (int row = 0; row < bgr.rows; ++row) {
-              table.logRatioRow(bgr.ptr<std::uint8_t>(row), bgr.cols, values.ptr<std::int8_t>(row));
+              table.computeLogRatioRow(bgr.ptr<std::uint8_t>(row), bgr.cols,
+                                       values.ptr<std::int8_t>(row));
             }
             return values;
           }};
@@ -37,19 +38,19 @@ PixelClassifier byTable(const std::string& name, const ColorLikelihood& table) {
 
 LearnedColors learnFromSamples(const std::vector<ColorSample>& samples,
                                const std::vector<cv::Mat>& images) {
-  const ColorEvidence evidence = colorEvidence(samples, images);
+  const ColorEvidence evidence = collectColorEvidence(samples, images);
   const auto ranges = learnRanges(evidence);
   if (!ranges) {
     return {};
   }
   const ColorRange& range = (*ranges)[0]; // the clicks are on things of one color
-  const double ratio = pixelRatio(evidence);
+  const double ratio = restPixelsPerTargetPixel(evidence);
   TargetColorModel unlimited(range, kEveryColor);
-  unlimited.add(evidence.target);
+  unlimited.add(evidence.targetColors);
   return {range,
           assessColor(range, samples, images, evidence).separability,
           {byRange("range", range), byTable("table", learnLikelihood(evidence, range, ratio)),
-           byTable("no limits", unlimited.likelihoodForCamera({}, evidence.rest, ratio)),
+           byTable("no limits", unlimited.likelihoodForCamera({}, evidence.restColors, ratio)),
            byTable("likelihood", learnLikelihood(evidence, range))}};
 }
 
@@ -59,7 +60,7 @@ void TruthLearner::add(const cv::Mat& bgr, const ColorTruth& truth) {
 }
 
 std::vector<PixelClassifier> TruthLearner::colors() const {
-  if (target_.total() <= 0.0 || rest_.total() <= 0.0) {
+  if (target_.totalWeight() <= 0.0 || rest_.totalWeight() <= 0.0) {
     return {};
   }
   const auto target = target_.colors();
@@ -67,9 +68,9 @@ std::vector<PixelClassifier> TruthLearner::colors() const {
   const ColorRange range = withNarrowestHue(fitRange(target, rest), target, rest);
   TargetColorModel model(range, kEveryColor);
   model.add(target);
-  return {
-      byRange("best box", range),
-      byTable("best table", model.likelihoodForCamera({}, rest, rest_.total() / target_.total()))};
+  return {byRange("best box", range),
+          byTable("best table", model.likelihoodForCamera(
+                                    {}, rest, rest_.totalWeight() / target_.totalWeight()))};
 }
 
 } // namespace dewpoint::bench

@@ -47,7 +47,7 @@ void addErrors(Marked& marked) {
 void addMethods(Marked& marked) {
   for (const auto& method : dewpoint::tracking::methods()) {
     marked.emplace("Method", method.text.title);
-    marked.emplace("Method", method.text.sentence);
+    marked.emplace("Method", method.text.summary);
     marked.emplace("Method", dewpoint::tracking::headingOf(method));
     for (const auto& declaration : method.parameters()) {
       marked.emplace("ParameterGroup", dewpoint::tracking::parameterGroupTitle(declaration.group));
@@ -70,7 +70,7 @@ void addExperiments(Marked& marked) {
 
 void addFindings(Marked& marked) {
   for (const auto& texts : dewpoint::setup::findingTexts()) {
-    for (const std::string_view text : {texts.sentence, texts.advice}) {
+    for (const std::string_view text : {texts.description, texts.advice}) {
       if (!text.empty()) {
         marked.emplace("Finding", text);
       }

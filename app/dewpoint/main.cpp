@@ -47,7 +47,7 @@ struct Options {
 
 std::vector<std::string> languageNames() {
   std::vector<std::string> names;
-  for (const QString& language : dewpoint::ui::languages()) {
+  for (const QString& language : dewpoint::ui::availableLanguages()) {
     names.push_back(language.toStdString());
   }
   return names;
@@ -151,7 +151,7 @@ int run(int argc, char** argv) {
   window.setTheme(theme);
   const bool unattended = !options.screenshot.empty() || !options.out.empty();
   if (!unattended) {
-    window.restoreAndKeepGeometry();
+    window.restoreAndSaveGeometry();
   }
   int width = 0;
   int height = 0;

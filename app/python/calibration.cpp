@@ -127,7 +127,7 @@ BoardOutcome calibrateBoard(ProjectHandle& handle, const std::string& board, boo
   arguments.request.maxViews = views;
   arguments.request.maxInstants = instants;
   arguments.request.floorFrame = worldFrame;
-  arguments.request.refineIntrinsics = refineLenses;
+  arguments.request.refinesIntrinsics = refineLenses;
   return calibrateWithBoard(handle, arguments, progress);
 }
 
@@ -146,12 +146,12 @@ void bindResults(py::module_& module) {
       .def_readonly("format", &CalibrationImport::formatTitle, "The name of the format.")
       .def_readonly("decisions", &CalibrationImport::decisions,
                     "The assumptions about units, axes and directions, in sentences.")
-      .def_readonly("matched_by_order", &CalibrationImport::wasMatchedByOrder,
+      .def_readonly("matched_by_order", &CalibrationImport::wereCamerasMatchedByOrder,
                     "Whether the cameras were matched by order because no names match.")
       .def_readonly("lens_only", &CalibrationImport::hasOnlyIntrinsics,
                     "Whether the file has no poses, so that those of the project are kept.")
       .def_readonly(
-          "largest_pixels", &CalibrationImport::maxDifferencePx,
+          "largest_pixels", &CalibrationImport::maxConversionErrorPx,
           "Largest difference between the cameras of the file and of the project, pixels.");
   py::class_<BoardOutcome>(module, "BoardCalibration", "What Project.calibrate_board() found.")
       .def_property_readonly(

@@ -26,7 +26,7 @@ void bindParameter(py::module_& module) {
       .def_readonly("minimum", &ParameterDeclaration::minimum, "The smallest allowed value.")
       .def_readonly("maximum", &ParameterDeclaration::maximum, "The largest allowed value.")
       .def_readonly("default", &ParameterDeclaration::defaultValue, "The value if none is given.")
-      .def_readonly("from_cameras", &ParameterDeclaration::derivedFromCameras,
+      .def_readonly("from_cameras", &ParameterDeclaration::isDerivedFromCameras,
                     "Whether the value is derived from what the cameras see if none is given.")
       .def_property_readonly(
           "whole",
@@ -47,7 +47,7 @@ void bindMethod(py::module_& module) {
       .def_property_readonly(
           "title", [](const Method& method) { return method.text.title; }, "What it tracks.")
       .def_property_readonly(
-          "sentence", [](const Method& method) { return method.text.sentence; },
+          "sentence", [](const Method& method) { return method.text.summary; },
           "What it is for, or what sets it apart.")
       .def_property_readonly(
           "paper", [](const Method& method) { return method.text.paper; },

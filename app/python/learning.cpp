@@ -63,7 +63,7 @@ ColorSample sampleOf(const Project& project, const Click& click, bool excluded) 
     raiseBadValue("frame", fmt::format("frames are counted from 0; not {}", frame));
   }
   ColorSample sample;
-  sample.excluded = excluded;
+  sample.isExcluded = excluded;
   sample.camera = cameraOf(project, camera);
   sample.frame = frame;
   sample.x = pixel[0];
@@ -106,7 +106,7 @@ ColorLesson lessonFrom(const setup::FootageLearningResult& taught) {
                      assessment.targetShare,
                      assessment.backgroundShare};
   for (const ColorSample& sample : taught.learningResult.samples) {
-    if (sample.found) {
+    if (sample.isFoundByGeometry) {
       const auto& camera = taught.project.cameras[static_cast<std::size_t>(sample.camera)];
       lesson.found.emplace_back(camera.camera.name, sample.x, sample.y);
     }
@@ -121,7 +121,7 @@ ColorLesson learnColorIn(ProjectHandle& handle, const CameraKey& camera, std::in
                          const std::optional<std::string>& shape, const std::vector<Click>& more,
                          const std::vector<Click>& exclude) {
   auto clicks = clicksFrom(handle.project, camera, frame, pixel, box, more, exclude);
-  clicks.target = target;
+  clicks.targetName = target;
   clicks.radius = radius;
   if (shape) {
     clicks.shape = targetShapeFromName(*shape);

@@ -72,7 +72,7 @@ ProjectHandlePtr makeNew(const py::object& cameras,
                          const std::optional<std::string>& fit, const CameraRenaming& names) {
   NewProject wanted;
   wanted.cameras = newCameras(cameras);
-  wanted.calibration = calibration;
+  wanted.calibrationFile = calibration;
   wanted.name = name;
   wanted.framesPerSecond = framesPerSecond;
   wanted.adaptation = {names, sizeFitFromName(fit)};
@@ -80,7 +80,7 @@ ProjectHandlePtr makeNew(const py::object& cameras,
   if (made.lacksCalibration) {
     warn("without a calibration, the camera positions are guesses");
   }
-  if (made.wasMatchedByOrder) {
+  if (made.wereCamerasMatchedByOrder) {
     warn("the calibration uses other camera names; the cameras were matched by order");
   }
   return handleOf(std::move(made.project), "");
@@ -139,7 +139,7 @@ void save(ProjectHandle& handle, const std::optional<std::filesystem::path>& wan
     raise(saved.error());
   }
   handle.project.file = std::filesystem::absolute(file).lexically_normal();
-  handle.openedAs = file.string();
+  handle.openedNameOrFile = file.string();
 }
 
 py::object fileOf(const ProjectHandle& handle) {
@@ -157,7 +157,7 @@ std::string methodsText() {
   std::string text = "Name of the tracking method. Parameters that the new method has as well keep "
                      "their values.\n\n";
   for (const Method& method : methods()) {
-    text += fmt::format("{}: {}. {}\n", method.name, method.text.title, method.text.sentence);
+    text += fmt::format("{}: {}. {}\n", method.name, method.text.title, method.text.summary);
   }
   return text;
 }
@@ -190,7 +190,7 @@ void bindFields(ProjectClass& project) {
 
 void raiseProjectError(const ProjectHandle& handle, Error error) {
   if (error.file.empty()) {
-    error.file = handle.openedAs;
+    error.file = handle.openedNameOrFile;
   }
   raise(error);
 }

@@ -14,7 +14,7 @@ namespace dewpoint::app {
 struct ProjectHandle {
   Project project;
   /// File or name with which the project was opened, for error messages; may be empty.
-  std::string openedAs;
+  std::string openedNameOrFile;
 };
 using ProjectHandlePtr = std::shared_ptr<ProjectHandle>;
 using ProjectClass = pybind11::class_<ProjectHandle, ProjectHandlePtr>;

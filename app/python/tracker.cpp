@@ -59,7 +59,7 @@ std::vector<Estimate> estimatesOfFeed(const FrameFeed& feed) {
     estimates.push_back({name, std::move(sample), std::nullopt});
   }
   const auto names = targetNames(feed);
-  for (const BoxSample& box : feed.boxes()) {
+  for (const BoxSample& box : feed.boxSamples()) {
     const std::string& name = names.at(static_cast<std::size_t>(box.target - 1));
     estimates.push_back({name, std::nullopt, box});
   }
@@ -160,10 +160,10 @@ void bindEstimate(py::module_& module) {
       .def_property_readonly(
           "valid",
           [](const Estimate& estimate) {
-            return estimate.sample ? estimate.sample->valid : estimate.box->estimate.visible;
+            return estimate.sample ? estimate.sample->isValid : estimate.box->estimate.isVisible;
           },
           "Whether the cameras confirm the target.")
-      .def_property_readonly("ambiguous", ofSample([](const Sample& s) { return s.ambiguous; }),
+      .def_property_readonly("ambiguous", ofSample([](const Sample& s) { return s.isAmbiguous; }),
                              "Whether another object may equally well be the target.")
       .def_property_readonly("cameras", ofSample([](const Sample& s) { return s.cameraCount; }),
                              "How many cameras show the target.")
@@ -223,7 +223,7 @@ void bindTracker(py::module_& module) {
           [](TrackerHandle& handle) {
             const py::gil_scoped_release release;
             const std::lock_guard lock(handle.mutex);
-            return handle.feed->steps();
+            return handle.feed->stepCount();
           },
           "Steps since the (re)start.");
 }

@@ -70,7 +70,7 @@ std::shared_ptr<RunHandle> track(const ProjectHandle& handle, const std::optiona
 }
 
 py::tuple particlesOfRun(const RunHandle& handle, const py::object& target, std::int64_t frame) {
-  const std::size_t number = findTargetIndex(target, handle.run.targets);
+  const std::size_t number = findTargetIndex(target, handle.run.targetNames);
   const auto found = handle.run.particles.find({frame, number});
   if (found == handle.run.particles.end()) {
     throw py::key_error(fmt::format(
@@ -81,12 +81,12 @@ py::tuple particlesOfRun(const RunHandle& handle, const py::object& target, std:
 
 /// The rows of one target as arrays: frames, times, boxes (x, y, width, height), similarities.
 py::dict boxesOfRun(const RunHandle& handle, const py::object& target) {
-  const auto number = static_cast<int>(findTargetIndex(target, handle.run.targets)) + 1;
+  const auto number = static_cast<int>(findTargetIndex(target, handle.run.targetNames)) + 1;
   std::vector<std::int64_t> frames;
   std::vector<double> times;
   std::vector<std::array<double, 4>> boxes;
   std::vector<double> similarities;
-  for (const BoxSample& sample : handle.run.boxes.samples) {
+  for (const BoxSample& sample : handle.run.boxTrack.samples) {
     if (sample.target == number) {
       const ImageBox& box = sample.estimate.box;
       frames.push_back(sample.frame);
@@ -113,10 +113,10 @@ void bindTracking(py::module_& module, ProjectClass& project) {
   py::class_<RunHandle, TrajectoryHandle, std::shared_ptr<RunHandle>>(
       module, "Run", "What Project.track() found: a trajectory, and how the run went.")
       .def_property_readonly(
-          "finished", [](const RunHandle& handle) { return handle.run.finished; },
+          "finished", [](const RunHandle& handle) { return handle.run.isFinished; },
           "False when progress ended it before its last frame.")
       .def_property_readonly(
-          "frame_count", [](const RunHandle& handle) { return handle.run.frames; },
+          "frame_count", [](const RunHandle& handle) { return handle.run.frameCount; },
           "Frames that were tracked.")
       .def_property_readonly(
           "notices", [](const RunHandle& handle) { return handle.run.notices; },
@@ -128,8 +128,8 @@ void bindTracking(py::module_& module, ProjectClass& project) {
            "For methods that follow boxes: arrays frames, times, boxes (N x 4: x, y, width, height "
            "in pixels) and similarity of a target.")
       .def("__repr__", [](const RunHandle& handle) {
-        return fmt::format("<dewpoint.Run {} frames{}>", handle.run.frames,
-                           handle.run.finished ? "" : ", not finished");
+        return fmt::format("<dewpoint.Run {} frames{}>", handle.run.frameCount,
+                           handle.run.isFinished ? "" : ", not finished");
       });
   project.def("track", track, py::kw_only(), py::arg("frames") = py::none(),
               py::arg("progress") = py::none(), py::arg("threads") = 1, py::arg("particles") = 0,

@@ -95,11 +95,12 @@ void bindTrack(py::module_& module) {
           [](const TrackHandle& track) { return columnOf(track, track.columns().cameraCounts); },
           "How many cameras show the target.")
       .def_property_readonly(
-          "valid", [](const TrackHandle& track) { return truthsOf(track, track.columns().valid); },
+          "valid",
+          [](const TrackHandle& track) { return truthsOf(track, track.columns().validFlags); },
           "Whether the cameras confirm the target.")
       .def_property_readonly(
           "ambiguous",
-          [](const TrackHandle& track) { return truthsOf(track, track.columns().ambiguous); },
+          [](const TrackHandle& track) { return truthsOf(track, track.columns().ambiguousFlags); },
           "Whether another object may equally well be the target.")
       .def("__repr__", [](const TrackHandle& track) {
         return fmt::format("<dewpoint.Track {}, {} frames>", track.columns().target,
@@ -111,16 +112,16 @@ void bindEvaluation(py::module_& module) {
   py::class_<Evaluation>(module, "Evaluation", "A target's estimate against the truth, in meters.")
       .def_readonly("target", &Evaluation::target, "Its name.")
       .def_readonly("rmse", &Evaluation::rmse, "Root mean square error from convergence on.")
-      .def_readonly("median", &Evaluation::median, "Median error.")
+      .def_readonly("median", &Evaluation::medianError, "Median error.")
       .def_readonly("p95", &Evaluation::p95, "95 % of the errors are smaller.")
-      .def_readonly("max", &Evaluation::max, "The largest error.")
+      .def_readonly("max", &Evaluation::maxError, "The largest error.")
       .def_readonly("rmse_all", &Evaluation::rmseOfAllFrames,
                     "Root mean square error of all frames.")
       .def_property_readonly(
           "bias", [](const Evaluation& evaluation) { return toArray(evaluation.bias); },
           "Mean of estimate minus truth.")
       .def_readonly("frames_compared", &Evaluation::comparedFrameCount, "Frames with both.")
-      .def_readonly("frames_to_converge", &Evaluation::framesToConverge,
+      .def_readonly("frames_to_converge", &Evaluation::convergenceFrameCount,
                     "Frames before the estimate stays near the truth, or None.")
       .def_readonly("lost_frames", &Evaluation::lostFrameCount,
                     "Frames after convergence in which the target was lost.")

@@ -44,7 +44,7 @@ Trajectory officeGroundTruth(const OfficeRenderer& renderer) {
       sample.time = scene.timeOf(frame);
       sample.target = scene.people[k].name;
       sample.position = renderer.bodyCenter(k, sample.time);
-      sample.valid = renderer.isInsideOffice(k, sample.time);
+      sample.isValid = renderer.isInsideOffice(k, sample.time);
       truth.samples.push_back(std::move(sample));
     }
   }
@@ -62,7 +62,7 @@ Result<SessionInputs> openOfficeInputs(Project project) {
     camera.width = renderer->scene().cameras[k].intrinsics.width;
     camera.height = renderer->scene().cameras[k].intrinsics.height;
     camera.generate = [renderer, k](std::int64_t frame) { return renderer->render(k, frame); };
-    camera.generatedFrames = renderer->scene().frameCount;
+    camera.generatedFrameCount = renderer->scene().frameCount;
   }
   auto source = openRecording(cameras, renderer->scene().framesPerSecond);
   if (!source) {

@@ -34,7 +34,7 @@ void takeCameras(Project& project, double framesPerSecond, const CameraRig& rig)
   for (const auto& camera : rig) {
     project.cameras.push_back({camera, SourceKind::Simulation, "", 0});
     const auto adjusted = std::ranges::find_if(own, [&](const ProjectCamera& candidate) {
-      return candidate.adjusted && candidate.camera.name == camera.name &&
+      return candidate.hasOwnCalibration && candidate.camera.name == camera.name &&
              candidate.camera.intrinsics.width == camera.intrinsics.width &&
              candidate.camera.intrinsics.height == camera.intrinsics.height;
     });
@@ -54,7 +54,7 @@ Status fillFromNamedScene(Project& project) {
     takeCameras(project, office.framesPerSecond, office.cameras);
     return {};
   }
-  return sceneNamed(project.scene).map([&](const Scene& scene) { fillFromScene(project, scene); });
+  return loadScene(project.scene).map([&](const Scene& scene) { fillFromScene(project, scene); });
 }
 
 /// The method that a built-in scene is made to show, where it is not the default one.
@@ -95,7 +95,7 @@ Result<std::unique_ptr<FrameSetSource>> openSimulation(const Scene& scene) {
     camera.generate = [renderer, k](std::int64_t frame) {
       return renderer->render(static_cast<int>(k), frame);
     };
-    camera.generatedFrames = scene.frameCount;
+    camera.generatedFrameCount = scene.frameCount;
     cameras.push_back(std::move(camera));
   }
   return openRecording(cameras, scene.framesPerSecond);
@@ -181,7 +181,7 @@ std::vector<LiveCamera> liveCamerasOf(const Project& project) {
     const auto& intrinsics = camera.camera.intrinsics;
     const bool isDevice = camera.source == SourceKind::Device;
     cameras.push_back({camera.camera.name, camera.location, camera.rotateDegrees, intrinsics.width,
-                       intrinsics.height, camera.mirrored, camera.delay,
+                       intrinsics.height, camera.isMirrored, camera.delay,
                        isDevice ? camera.device : DeviceSettings{}, camera.crop});
   }
   return cameras;
@@ -193,7 +193,7 @@ Project makeSceneProject(const Scene& scene, const std::string& sceneName) {
   project.scene = sceneName;
   project.method = methodOfScene(sceneName, project.method);
   project.parameters = ParameterValues(methodParameters(project.method));
-  project.parameters.markAllGiven();
+  project.parameters.markAllAsGiven();
   const MethodFamily family = methodFamily(project.method);
   for (const auto& ball : scene.balls) {
     Target& target = project.targets.emplace_back();
@@ -238,7 +238,7 @@ Result<Project> resolveProject(const std::string& nameOrFile, const MovedFiles& 
   }
   const auto& builtIn = sceneNames();
   if (std::find(builtIn.begin(), builtIn.end(), name) != builtIn.end() && !isFile) {
-    return sceneNamed(name).map([&](const Scene& scene) { return makeSceneProject(scene, name); });
+    return loadScene(name).map([&](const Scene& scene) { return makeSceneProject(scene, name); });
   }
   auto project = loadProject(name, moved);
   if (project && !project->scene.empty()) {
@@ -260,7 +260,8 @@ Result<Project> completedProject(Project project) {
   }
   if (!project.scene.empty() && project.scene != kOfficeSceneName &&
       !project.scene.ends_with(".toml")) {
-    project.parameters.markAllGiven(); // the built-in ones were made for the methods' own defaults
+    // The built-in ones were made for the methods' own defaults.
+    project.parameters.markAllAsGiven();
   }
   return project;
 }
@@ -279,7 +280,7 @@ Result<SessionInputs> openInputs(Project wanted) {
     }
     inputs = std::move(*office);
   } else if (!project.scene.empty()) {
-    const auto scene = sceneNamed(project.scene);
+    const auto scene = loadScene(project.scene);
     if (!scene) {
       return tl::make_unexpected(scene.error());
     }
@@ -296,8 +297,8 @@ Result<SessionInputs> openInputs(Project wanted) {
     }
     inputs.source = std::move(*source);
   }
-  if (project.truth) {
-    auto truth = readTrajectory(*project.truth);
+  if (project.truthFile) {
+    auto truth = readTrajectory(*project.truthFile);
     if (!truth) {
       return tl::make_unexpected(truth.error());
     }
@@ -318,7 +319,7 @@ Result<SessionInputs> openProject(const SessionRequest& request) {
     const auto filled = project.scene.empty() ? Status() : fillFromNamedScene(project);
     return filled.and_then([&] { return openInputs(std::move(project)); });
   }
-  return resolveProject(request.file.string(), request.moved).and_then([](Project project) {
+  return resolveProject(request.file.string(), request.movedFiles).and_then([](Project project) {
     return openInputs(std::move(project));
   });
 }

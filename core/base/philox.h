@@ -14,7 +14,7 @@ namespace dewpoint::base {
 struct Philox {
   using Counter = std::array<std::uint32_t, 4>;
   using Key = std::array<std::uint32_t, 2>;
-  static constexpr int kRounds = 10;
+  static constexpr int kRoundCount = 10;
 
   /// Replaces the four words `c0` to `c3` of a counter with four random words. `Word` may be a
   /// 64-bit type, which suits vector units with 64-bit multiplication. The upper halves of such
@@ -23,7 +23,7 @@ struct Philox {
   template <class Word, int Round = 0>
   [[gnu::always_inline]] static inline void mix(Word& c0, Word& c1, Word& c2, Word& c3,
                                                 std::uint32_t key0, std::uint32_t key1) {
-    if constexpr (Round < kRounds) {
+    if constexpr (Round < kRoundCount) {
       // Multipliers and key increments from table 2 of the paper.
       const std::uint64_t product0 = std::uint64_t{c0} * std::uint64_t{0xD2511F53};
       const std::uint64_t product1 = std::uint64_t{c2} * std::uint64_t{0xCD9E8D57};

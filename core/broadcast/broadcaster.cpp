@@ -59,24 +59,26 @@ Result<std::unique_ptr<Broadcaster>> Broadcaster::open(const BroadcastInputs& in
       problem = about(key, outlet.error()).value();
     }
   };
-  if (settings.tcp) {
-    add("output.tcp", jsonLinesFormat(), LineServer::open(settings.listen, *settings.tcp, gate));
+  if (settings.tcpPort) {
+    add("output.tcp", jsonLinesFormat(),
+        LineServer::open(settings.listenAddress, *settings.tcpPort, gate));
   }
-  if (settings.websocket) {
-    auto server = WebServer::open(settings.listen, *settings.websocket, gate, inputs.texts);
+  if (settings.webSocketPort) {
+    auto server =
+        WebServer::open(settings.listenAddress, *settings.webSocketPort, gate, inputs.texts);
     web = server ? server->get() : nullptr;
     add("output.websocket", jsonLinesFormat(), std::move(server));
   }
-  if (!settings.osc.empty()) {
+  if (!settings.oscReceiver.empty()) {
     add("output.osc", oscMessagesFormat(),
-        DatagramSender::open(settings.osc, OutletKind::OscMessages));
+        DatagramSender::open(settings.oscReceiver, OutletKind::OscMessages));
   }
-  if (!settings.tuio.empty()) {
+  if (!settings.tuioReceiver.empty()) {
     add("output.tuio", tuioCursorsFormat(),
-        DatagramSender::open(settings.tuio, OutletKind::TuioCursors));
+        DatagramSender::open(settings.tuioReceiver, OutletKind::TuioCursors));
   }
-  if (!settings.csv.empty()) {
-    const std::filesystem::path file = settings.csv;
+  if (!settings.csvFile.empty()) {
+    const std::filesystem::path file = settings.csvFile;
     add("output.csv", csvRowsFormat(), LineFile::open(file == "-" ? file : inputs.folder / file));
   }
   if (problem) {
@@ -87,12 +89,12 @@ Result<std::unique_ptr<Broadcaster>> Broadcaster::open(const BroadcastInputs& in
 
 Broadcaster::Broadcaster(const BroadcastInputs& inputs, std::vector<Line> lines, WebServer* web)
     : coordinates_{inputs.settings.axes, inputs.settings.unit}, volume_(inputs.volume),
-      lines_(std::move(lines)), web_(web), limit_(inputs.settings.rate),
+      lines_(std::move(lines)), web_(web), limit_(inputs.settings.framesPerSecond),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 Broadcaster::~Broadcaster() = default;
 
-void Broadcaster::offer(TrackSnapshotPtr snapshot) {
+void Broadcaster::enqueue(TrackSnapshotPtr snapshot) {
   if (!snapshot || !snapshot->rig || !snapshot->frames || !snapshot->isTracked ||
       snapshot->isPast) {
     return;
@@ -126,9 +128,9 @@ void Broadcaster::run(const std::stop_token& stop) {
       queue_.pop_front();
     }
     // Published again after a change of the view: nothing new was tracked.
-    const bool isKnown = snapshot->frame == frame_ && snapshot->iterations == iterations_;
+    const bool isKnown = snapshot->frame == frame_ && snapshot->iterationCount == iterations_;
     frame_ = snapshot->frame;
-    iterations_ = snapshot->iterations;
+    iterations_ = snapshot->iterationCount;
     if (!isKnown) {
       send(*snapshot);
     }
@@ -157,7 +159,7 @@ void Broadcaster::send(const TrackSnapshot& snapshot) {
     return;
   }
   FrameMessage message = frameMessageOf(snapshot, recent_, rig_);
-  message.sequence = ++sent_;
+  message.sequenceNumber = ++sent_;
   std::map<const StreamFormat*, std::vector<std::string>> encoded; // each format once
   for (Line& line : lines_) {
     auto [found, isNew] = encoded.try_emplace(line.format);

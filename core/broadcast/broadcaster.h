@@ -57,7 +57,7 @@ public:
 
   /// Adds a snapshot (the results of one frame) to those that wait to be sent. Ignores a snapshot
   /// without results of newly tracked images. Returns immediately. Thread-safe.
-  void offer(TrackSnapshotPtr snapshot);
+  void enqueue(TrackSnapshotPtr snapshot);
 
   /// Sets the texts of the page for browsers. They are used when a browser loads the page the next
   /// time. Thread-safe.
@@ -67,9 +67,9 @@ public:
   std::vector<OutletReport> reports() const;
   /// Returns the number of snapshots (results of one frame each) that were dropped because sending
   /// took too long.
-  std::int64_t droppedFrames() const { return dropped_; }
+  std::int64_t droppedFrameCount() const { return dropped_; }
   /// Returns the number of frames that were sent.
-  std::int64_t sentFrames() const { return sent_; }
+  std::int64_t sentFrameCount() const { return sent_; }
 
 private:
   struct Line {

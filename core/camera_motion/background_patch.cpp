@@ -120,8 +120,8 @@ std::optional<BackgroundPatch> BackgroundPatch::at(const cv::Mat& image, const c
     const Eigen::Vector2d gradient(patch.gradientX_[i], patch.gradientY_[i]);
     hessian += gradient * gradient.transpose();
   }
-  patch.structure_ = geometry::symmetricEigen2(hessian).values[0];
-  if (!(patch.structure_ > kLeastStructure)) {
+  patch.minEigenvalue_ = geometry::symmetricEigen2(hessian).values[0];
+  if (!(patch.minEigenvalue_ > kLeastStructure)) {
     return std::nullopt;
   }
   patch.shiftCovariance_ = kNoise * kNoise * hessian.inverse();

@@ -38,7 +38,7 @@ public:
   /// Returns a measure of how well the patch can be located: the smaller eigenvalue of the
   /// structure tensor, in squared gray levels per px². The structure tensor is the sum of g g' over
   /// all pixels of the patch, where g is the gray-level gradient at a pixel.
-  double structure() const { return structure_; }
+  double minEigenvalue() const { return minEigenvalue_; }
   /// Returns the covariance (px²) of a measured shift that results from image noise. If the patch
   /// shows only an edge, the variance along this edge is large.
   const Eigen::Matrix2d& shiftCovariance() const { return shiftCovariance_; }
@@ -51,7 +51,7 @@ private:
   std::vector<float> gradientX_, gradientY_;
   Eigen::Matrix2d inverseHessian_;
   Eigen::Matrix2d shiftCovariance_;
-  double structure_ = 0.0;
+  double minEigenvalue_ = 0.0;
 };
 
 } // namespace dewpoint::camera_motion

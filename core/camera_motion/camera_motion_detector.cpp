@@ -64,7 +64,7 @@ std::optional<BackgroundPatch> bestPatch(const cv::Mat& image, const cv::Rect& p
     const cv::Point cell(part.x + (2 * (i % kSamples) + 1) * part.width / (2 * kSamples),
                          part.y + (2 * (i / kSamples) + 1) * part.height / (2 * kSamples));
     auto patch = BackgroundPatch::at(image, cell);
-    if (patch && (!best || patch->structure() > best->structure())) {
+    if (patch && (!best || patch->minEigenvalue() > best->minEigenvalue())) {
       best = std::move(patch);
     }
   }
@@ -81,13 +81,13 @@ CameraMotionDetector::CameraMotionDetector(const CameraRig& rig) {
 
 void CameraMotionDetector::restart() {
   for (std::size_t k = 0; k < watched_.size(); ++k) {
-    accept(k, Camera(watched_[k].camera));
+    acceptMovedCamera(k, Camera(watched_[k].camera));
   }
   events_.clear();
   lastTime_ = -1e18;
 }
 
-void CameraMotionDetector::accept(std::size_t camera, const Camera& now) {
+void CameraMotionDetector::acceptMovedCamera(std::size_t camera, const Camera& now) {
   WatchedCamera anew;
   anew.camera = now;
   watched_[camera] = std::move(anew);
@@ -102,25 +102,25 @@ void CameraMotionDetector::watch(const FrameSet& frames) {
   for (std::size_t k = 0; k < watched_.size() && k < frames.frames.size(); ++k) {
     const FramePtr& frame = frames.frames[k];
     const Intrinsics& in = watched_[k].camera.intrinsics;
-    if (!frame || frame->image.type() != CV_8UC3 || time < watched_[k].due ||
+    if (!frame || frame->image.type() != CV_8UC3 || time < watched_[k].nextCheckTime ||
         frame->image.size() != cv::Size(in.width, in.height)) {
       continue;
     }
     // The first time at once; then one camera after the other, so that no frame pays for all.
     const bool first = watched_[k].patches.empty();
     const double stagger = first ? kInterval * double(k) / double(watched_.size()) : 0.0;
-    watched_[k].due = time + kInterval + stagger;
+    watched_[k].nextCheckTime = time + kInterval + stagger;
     check(k, *frame, frames);
   }
 }
 
 void CameraMotionDetector::learn(WatchedCamera& watched, const cv::Mat& image, double time,
                                  const Eigen::Vector3d& turn, int parts) {
-  watched.learned = time;
+  watched.lastPatchSearchTime = time;
   const int width = image.cols / kGridColumns;
   const int height = image.rows / kGridRows;
   for (int tried = 0; tried < kParts && parts > 0; ++tried) {
-    const int part = std::exchange(watched.nextPart, (watched.nextPart + 1) % kParts);
+    const int part = std::exchange(watched.nextImagePart, (watched.nextImagePart + 1) % kParts);
     const cv::Rect cell(part % kGridColumns * width, part / kGridColumns * height, width, height);
     if (std::ranges::any_of(watched.patches, [&](const TrackedPatch& tracked) {
           return cell.contains(tracked.patch.center());
@@ -129,11 +129,12 @@ void CameraMotionDetector::learn(WatchedCamera& watched, const cv::Mat& image, d
     }
     --parts;
     auto patch = bestPatch(image, cell);
-    const auto byTurn = patch ? rotationJacobian(watched.camera, Eigen::Vector2d(patch->center().x,
-                                                                                 patch->center().y))
-                              : std::nullopt;
-    if (byTurn) {
-      watched.patches.push_back({std::move(*patch), *byTurn, turn, time});
+    const auto shiftJacobian =
+        patch ? rotationJacobian(watched.camera,
+                                 Eigen::Vector2d(patch->center().x, patch->center().y))
+              : std::nullopt;
+    if (shiftJacobian) {
+      watched.patches.push_back({std::move(*patch), *shiftJacobian, turn, time});
     }
   }
 }
@@ -144,10 +145,11 @@ std::optional<CameraRotation> CameraMotionDetector::measure(WatchedCamera& watch
   std::vector<BackgroundShift> shifts;
   std::vector<TrackedPatch*> found;
   for (TrackedPatch& tracked : watched.patches) {
-    const auto match = tracked.patch.find(image, tracked.byTurn * (guess - tracked.initialTurn));
+    const auto match =
+        tracked.patch.find(image, tracked.shiftJacobian * (guess - tracked.initialRotation));
     if (match && match->correlation > kAlike) {
-      shifts.push_back({match->shift + tracked.byTurn * tracked.initialTurn, tracked.byTurn,
-                        tracked.patch.shiftCovariance()});
+      shifts.push_back({match->shift + tracked.shiftJacobian * tracked.initialRotation,
+                        tracked.shiftJacobian, tracked.patch.shiftCovariance()});
       found.push_back(&tracked);
     }
   }
@@ -159,8 +161,8 @@ std::optional<CameraRotation> CameraMotionDetector::measure(WatchedCamera& watch
     return std::nullopt;
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if ((shifts[i].shift - shifts[i].byTurn * turn->turn).norm() < 1.0) {
-      found[i]->lastSeen = time;
+    if ((shifts[i].shift - shifts[i].shiftJacobian * turn->turn).norm() < 1.0) {
+      found[i]->lastSeenTime = time;
     }
   }
   return turn;
@@ -180,12 +182,12 @@ CameraMotionDetector::estimateLargeRotation(const WatchedCamera& watched, const 
   if (response < kThumbnailResponse) {
     return std::nullopt;
   }
-  const auto byTurn = rotationJacobian(watched.camera, {image.cols / 2.0, image.rows / 2.0});
-  if (!byTurn) {
+  const auto shiftJacobian = rotationJacobian(watched.camera, {image.cols / 2.0, image.rows / 2.0});
+  if (!shiftJacobian) {
     return std::nullopt;
   }
   const Eigen::Vector2d pixels(kThumbnail * shift.x, kThumbnail * shift.y);
-  const Eigen::Vector2d turn = byTurn->leftCols<2>().inverse() * pixels;
+  const Eigen::Vector2d turn = shiftJacobian->leftCols<2>().inverse() * pixels;
   return Eigen::Vector3d(turn.x(), turn.y(), 0.0);
 }
 
@@ -198,7 +200,7 @@ void CameraMotionDetector::check(std::size_t camera, const Frame& frame, const F
     return;
   }
   const Eigen::Vector3d guess =
-      watched.turns.empty() ? Eigen::Vector3d::Zero() : watched.turns.back();
+      watched.rotations.empty() ? Eigen::Vector3d::Zero() : watched.rotations.back();
   auto turn = measure(watched, frame.image, time, guess);
   if (!turn && watched.patches.size() >= std::size_t(kFewestPatches)) {
     if (const auto large = estimateLargeRotation(watched, frame.image)) {
@@ -209,37 +211,37 @@ void CameraMotionDetector::check(std::size_t camera, const Frame& frame, const F
       }
     }
   }
-  watched.state.assessed = turn.has_value();
+  watched.state.isAssessed = turn.has_value();
   if (turn) {
     assess(camera, *turn, frames);
   }
-  if (turn && time - watched.learned > kLearnEvery) {
+  if (turn && time - watched.lastPatchSearchTime > kLearnEvery) {
     std::erase_if(watched.patches, [&](const TrackedPatch& tracked) {
-      return time - tracked.lastSeen > kForgetAfter;
+      return time - tracked.lastSeenTime > kForgetAfter;
     });
-    learn(watched, frame.image, time, watched.state.turn.turn, kPartsAtOnce);
+    learn(watched, frame.image, time, watched.state.rotation.turn, kPartsAtOnce);
   }
 }
 
 void CameraMotionDetector::assess(std::size_t camera, const CameraRotation& turn,
                                   const FrameSet& frames) {
   WatchedCamera& watched = watched_[camera];
-  watched.turns.push_back(turn.turn);
-  if (watched.turns.size() > kChecks) {
-    watched.turns.pop_front();
+  watched.rotations.push_back(turn.turn);
+  if (watched.rotations.size() > kChecks) {
+    watched.rotations.pop_front();
   }
   CameraMotionState& state = watched.state;
-  state.turn = turn;
-  state.turn.turn = medianRotation(watched.turns);
-  if (watched.turns.size() < kChecks) {
+  state.rotation = turn;
+  state.rotation.turn = medianRotation(watched.rotations);
+  if (watched.rotations.size() < kChecks) {
     return;
   }
-  const double angle = state.turn.turn.norm();
-  if (!state.moved && angle > kMovedAngle && turn.significance > kSignificant) {
-    state.moved = true;
-    events_.push_back({camera, frames.index, frames.time, state.turn});
-  } else if (state.moved && angle < kBack) {
-    state.moved = false;
+  const double angle = state.rotation.turn.norm();
+  if (!state.hasMoved && angle > kMovedAngle && turn.significance > kSignificant) {
+    state.hasMoved = true;
+    events_.push_back({camera, frames.index, frames.time, state.rotation});
+  } else if (state.hasMoved && angle < kBack) {
+    state.hasMoved = false;
   }
 }
 

@@ -17,20 +17,21 @@ struct CameraMotionEvent {
   std::size_t camera = 0;
   std::int64_t frame = 0; ///< frame in which the motion became certain
   TimeStamp time{};
-  CameraRotation turn; ///< rotation relative to the reference images, as measured up to this frame
+  CameraRotation
+      rotation; ///< rotation relative to the reference images, as measured up to this frame
 };
 
 /// Whether one camera has moved, according to the latest checks.
 struct CameraMotionState {
   /// Rotation relative to the reference images: the median over the last five checks (about one
   /// second).
-  CameraRotation turn;
+  CameraRotation rotation;
   /// True if the last image that was checked showed enough of the background to measure the
   /// rotation.
-  bool assessed = false;
-  /// True after a motion was reported, until the camera is back in its old pose or accept() is
-  /// called.
-  bool moved = false;
+  bool isAssessed = false;
+  /// True after a motion was reported, until the camera is back in its old pose or
+  /// acceptMovedCamera() is called.
+  bool hasMoved = false;
 };
 
 /// Detects camera motion during tracking. Each camera is checked a few times per second. Patches of
@@ -42,7 +43,7 @@ struct CameraMotionState {
 ///
 /// The first images received are the reference images; they are assumed to match the calibration.
 /// Objects that are at rest for a long time gradually become part of the background. A camera whose
-/// image has hardly any structure cannot be monitored (CameraMotionState::assessed).
+/// image has hardly any structure cannot be monitored (CameraMotionState::isAssessed).
 class CameraMotionDetector {
 public:
   explicit CameraMotionDetector(const CameraRig& rig);
@@ -59,25 +60,25 @@ public:
 
   /// Sets `now` as the calibration of a camera after it was moved. The next image of this camera
   /// becomes its reference image.
-  void accept(std::size_t camera, const Camera& now);
+  void acceptMovedCamera(std::size_t camera, const Camera& now);
   /// Makes the next images of all cameras the reference images, and discards the events.
   void restart();
 
 private:
   struct TrackedPatch {
     BackgroundPatch patch;
-    Eigen::Matrix<double, 2, 3> byTurn;
-    Eigen::Vector3d initialTurn; ///< rotation of the camera when the patch was learned
-    double lastSeen = 0.0;       ///< seconds
+    Eigen::Matrix<double, 2, 3> shiftJacobian;
+    Eigen::Vector3d initialRotation; ///< rotation of the camera when the patch was learned
+    double lastSeenTime = 0.0;       ///< seconds
   };
   struct WatchedCamera {
     Camera camera;
     std::vector<TrackedPatch> patches;
-    std::deque<Eigen::Vector3d> turns; ///< rotations measured in the last checks
-    double due = 0.0;                  ///< time of the next check, seconds
-    double learned = 0.0;              ///< time of the last search for new patches, seconds
-    int nextPart = 0;                  ///< part of the image in which a patch is searched for next
-    cv::Mat thumbnail;                 ///< reduced reference image, for estimating large rotations
+    std::deque<Eigen::Vector3d> rotations; ///< rotations measured in the last checks
+    double nextCheckTime = 0.0;            ///< time of the next check, seconds
+    double lastPatchSearchTime = 0.0;      ///< time of the last search for new patches, seconds
+    int nextImagePart = 0; ///< part of the image in which a patch is searched for next
+    cv::Mat thumbnail;     ///< reduced reference image, for estimating large rotations
     CameraMotionState state;
   };
   void check(std::size_t camera, const Frame& frame, const FrameSet& frames);

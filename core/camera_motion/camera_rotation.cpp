@@ -44,7 +44,7 @@ std::vector<double> residuals(const std::vector<BackgroundShift>& shifts,
   std::vector<double> result;
   result.reserve(shifts.size());
   for (std::size_t i = 0; i < shifts.size(); ++i) {
-    const Eigen::Vector2d off = shifts[i].shift - shifts[i].byTurn * turn;
+    const Eigen::Vector2d off = shifts[i].shift - shifts[i].shiftJacobian * turn;
     result.push_back(std::sqrt(off.dot(weights[i] * off)));
   }
   return result;
@@ -53,15 +53,15 @@ std::vector<double> residuals(const std::vector<BackgroundShift>& shifts,
 /// The component-wise median shift, as a turn: what a robust fit starts from.
 Eigen::Vector3d medianTurn(const std::vector<BackgroundShift>& shifts) {
   std::vector<double> columns, rows;
-  Eigen::Matrix<double, 2, 3> byTurn = Eigen::Matrix<double, 2, 3>::Zero();
+  Eigen::Matrix<double, 2, 3> shiftJacobian = Eigen::Matrix<double, 2, 3>::Zero();
   for (const BackgroundShift& one : shifts) {
     columns.push_back(one.shift.x());
     rows.push_back(one.shift.y());
-    byTurn += one.byTurn / double(shifts.size());
+    shiftJacobian += one.shiftJacobian / double(shifts.size());
   }
   const Eigen::Vector2d shift(upperMedian(std::move(columns)), upperMedian(std::move(rows)));
   // Without a turn about the optical axis, of which one shift says nothing.
-  const Eigen::Vector2d turn = byTurn.leftCols<2>().fullPivLu().solve(shift);
+  const Eigen::Vector2d turn = shiftJacobian.leftCols<2>().fullPivLu().solve(shift);
   return {turn.x(), turn.y(), 0.0};
 }
 
@@ -76,7 +76,7 @@ std::optional<Eigen::Matrix<double, 2, 3>> rotationJacobian(const Camera& camera
     return std::nullopt;
   }
   const Projector projector(lens);
-  Eigen::Matrix<double, 2, 3> byTurn;
+  Eigen::Matrix<double, 2, 3> shiftJacobian;
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(axis).cross(*direction);
     const auto ahead = projector.project(*direction + step);
@@ -84,9 +84,9 @@ std::optional<Eigen::Matrix<double, 2, 3>> rotationJacobian(const Camera& camera
     if (!ahead || !behind) {
       return std::nullopt;
     }
-    byTurn.col(axis) = (*ahead - *behind) / (2.0 * kStep);
+    shiftJacobian.col(axis) = (*ahead - *behind) / (2.0 * kStep);
   }
-  return byTurn;
+  return shiftJacobian;
 }
 
 std::optional<CameraRotation> fitRotation(const std::vector<BackgroundShift>& shifts) {
@@ -111,8 +111,8 @@ std::optional<CameraRotation> fitRotation(const std::vector<BackgroundShift>& sh
       }
       const double weight = (1.0 - ratio * ratio) * (1.0 - ratio * ratio);
       const Eigen::Matrix<double, 3, 2> weighted =
-          weight * shifts[i].byTurn.transpose() * weights[i];
-      normal += weighted * shifts[i].byTurn;
+          weight * shifts[i].shiftJacobian.transpose() * weights[i];
+      normal += weighted * shifts[i].shiftJacobian;
       right += weighted * shifts[i].shift;
       ++result.usedShiftCount;
     }

@@ -13,7 +13,7 @@ namespace dewpoint::camera_motion {
 struct BackgroundShift {
   Eigen::Vector2d shift = Eigen::Vector2d::Zero(); ///< displacement of the patch, pixels
   /// Derivative of `shift` with respect to CameraRotation::turn, pixels per radian.
-  Eigen::Matrix<double, 2, 3> byTurn = Eigen::Matrix<double, 2, 3>::Zero();
+  Eigen::Matrix<double, 2, 3> shiftJacobian = Eigen::Matrix<double, 2, 3>::Zero();
   /// Covariance of `shift` due to image noise, px².
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
 };

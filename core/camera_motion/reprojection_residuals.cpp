@@ -22,8 +22,8 @@ constexpr double kPixelsAcross = 40.0; // as many are enough
 
 } // namespace
 
-std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRanges& color,
-                                             const SphereImage& expected) {
+std::optional<Eigen::Vector2d> findColorCentroid(const cv::Mat& image, const ColorRanges& color,
+                                                 const SphereImage& expected) {
   const double reach = kReach * expected.radius;
   const int left = int(std::floor(expected.center.x() - reach));
   const int top = int(std::floor(expected.center.y() - reach));
@@ -72,7 +72,7 @@ void ReprojectionResiduals::restart() {
 void ReprojectionResiduals::add(const FrameSet& frames, const std::vector<Target>& targets,
                                 const std::vector<SphereEstimate>& estimates) {
   for (std::size_t k = 0; k < std::min(targets.size(), estimates.size()); ++k) {
-    if (estimates[k].valid && estimates[k].radius > 0.0) {
+    if (estimates[k].isValid && estimates[k].radius > 0.0) {
       addTarget(frames, targets[k], estimates[k]);
     }
   }
@@ -88,7 +88,7 @@ void ReprojectionResiduals::addTarget(const FrameSet& frames, const Target& targ
     if (!expected || !frames.frames[k] || frames.frames[k]->image.type() != CV_8UC3) {
       continue;
     }
-    centers[k] = colorCentroid(frames.frames[k]->image, target.colors(), *expected);
+    centers[k] = findColorCentroid(frames.frames[k]->image, target.colors(), *expected);
     const auto point = projectors_[k].projector().project(estimate.mean);
     if (centers[k] && point) {
       *centers[k] += *point - expected->center; // from the outline's middle to the sphere's center
@@ -115,7 +115,7 @@ void ReprojectionResiduals::addTarget(const FrameSet& frames, const Target& targ
       }
       sightings_[k].push_back({seconds(frames.time), *world, *centers[k], *centers[k] - *pixel,
                                otherCamerasDisagreementPx});
-      if (sightings_[k].size() > kMaxSightings) {
+      if (sightings_[k].size() > kMaxResidualsPerCamera) {
         sightings_[k].pop_front();
       }
     }
@@ -123,10 +123,10 @@ void ReprojectionResiduals::addTarget(const FrameSet& frames, const Target& targ
 }
 
 std::optional<ReprojectionResiduals::Summary>
-ReprojectionResiduals::summary(std::size_t camera, double since, std::size_t fewest) const {
+ReprojectionResiduals::summarize(std::size_t camera, double since, std::size_t fewest) const {
   std::vector<double> columns, rows, others;
   for (const ReprojectionResidual& sighting : sightings_[camera]) {
-    if (sighting.time >= since) {
+    if (sighting.captureTime >= since) {
       columns.push_back(sighting.residual.x());
       rows.push_back(sighting.residual.y());
       others.push_back(sighting.otherCamerasDisagreementPx);

@@ -17,7 +17,7 @@ namespace dewpoint::camera_motion {
 /// Sighting of a target by one camera, compared with the position of the target according to the
 /// other cameras.
 struct ReprojectionResidual {
-  double time = 0.0; ///< capture time of the image, seconds
+  double captureTime = 0.0; ///< capture time of the image, seconds
   /// Position of the target according to the other cameras alone (in a rig of two cameras: the
   /// estimate of the tracker), meters.
   Eigen::Vector3d world = Eigen::Vector3d::Zero();
@@ -35,8 +35,8 @@ struct ReprojectionResidual {
 /// search region. In both cases, the target is probably partly hidden, or another object has its
 /// color. Also returns nothing if the search region exceeds the image, or if the radius of the
 /// outline is less than 2 pixels.
-std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRanges& color,
-                                             const SphereImage& expected);
+std::optional<Eigen::Vector2d> findColorCentroid(const cv::Mat& image, const ColorRanges& color,
+                                                 const SphereImage& expected);
 
 /// Collects the deviations of each camera's sightings from the sightings of the other cameras. If a
 /// camera was moved, all its sightings have about the same residual, and the other cameras agree
@@ -44,8 +44,8 @@ std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRa
 /// moved camera is one of them.
 class ReprojectionResiduals {
 public:
-  /// Maximum number of sightings per camera; the newest sightings are kept.
-  static constexpr std::size_t kMaxSightings = 300;
+  /// Maximum number of residuals per camera; the newest ones are kept.
+  static constexpr std::size_t kMaxResidualsPerCamera = 300;
   explicit ReprojectionResiduals(const CameraRig& rig);
 
   /// Adds the sightings of a frame, after the tracker has processed this frame. Targets without a
@@ -54,8 +54,8 @@ public:
   /// each camera is compared with the estimate of the tracker.
   void add(const FrameSet& frames, const std::vector<Target>& targets,
            const std::vector<SphereEstimate>& estimates);
-  /// Returns the sightings of a camera, oldest first.
-  const std::deque<ReprojectionResidual>& sightings(std::size_t camera) const {
+  /// Returns the residuals of a camera, oldest first.
+  const std::deque<ReprojectionResidual>& residuals(std::size_t camera) const {
     return sightings_[camera];
   }
   /// Medians over the sightings of a camera.
@@ -66,7 +66,7 @@ public:
   };
   /// Returns the medians over the sightings of a camera at or after the time `since` (seconds).
   /// Returns nothing if there are fewer than `fewest` such sightings.
-  std::optional<Summary> summary(std::size_t camera, double since, std::size_t fewest) const;
+  std::optional<Summary> summarize(std::size_t camera, double since, std::size_t fewest) const;
   /// Discards all sightings.
   void restart();
 

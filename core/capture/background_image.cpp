@@ -41,7 +41,7 @@ Result<std::vector<cv::Mat>> readSome(FrameReader& reader, const ImageShape& cam
     pictures.push_back(rotated->clone());
   }
   if (pictures.empty()) {
-    return failure(ErrorCode::FileUnreadable, reader.fileOf(0), cameraField(camera.camera),
+    return failure(ErrorCode::FileUnreadable, reader.fileOf(0), quotedCameraName(camera.cameraName),
                    "it contains no background image");
   }
   return pictures;
@@ -73,7 +73,7 @@ cv::Mat medianImage(const std::vector<cv::Mat>& pictures) {
 } // namespace
 
 Result<cv::Mat> readBackgroundImage(const std::string& location, const ImageShape& camera) {
-  const std::string field = cameraField(camera.camera);
+  const std::string field = quotedCameraName(camera.cameraName);
   std::error_code problem;
   if (!std::filesystem::exists(location, problem)) {
     return failure(ErrorCode::FileMissing, location, field, "");

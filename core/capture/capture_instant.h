@@ -35,16 +35,17 @@ struct CaptureInstant {
   TimeOrigin origin = TimeOrigin::Arrival;
   /// Number that identifies the image within its connection, both in compressed and in decoded
   /// form; -1 if the connection provides no such number.
-  std::int64_t stamp = -1;
+  std::int64_t imageId = -1;
 };
 
 /// Times at which a live image passed the stages of its processing.
 struct LiveInstants {
   /// Time at which the image was taken: CaptureInstant::time minus the camera's delay.
-  std::chrono::steady_clock::time_point captured{};
-  std::chrono::steady_clock::time_point arrived{}; ///< arrival of the image's data, before decoding
-  std::chrono::steady_clock::time_point decoded{}; ///< end of decoding of the image
-  std::int64_t stamp = -1; ///< number of the image in its connection (CaptureInstant::stamp)
+  std::chrono::steady_clock::time_point capturedAt{};
+  std::chrono::steady_clock::time_point
+      arrivedAt{}; ///< arrival of the image's data, before decoding
+  std::chrono::steady_clock::time_point decodedAt{}; ///< end of decoding of the image
+  std::int64_t imageId = -1; ///< number of the image in its connection (CaptureInstant::imageId)
 };
 
 } // namespace dewpoint::capture

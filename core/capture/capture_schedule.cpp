@@ -42,7 +42,7 @@ std::optional<CaptureSchedule::ScheduledImage> CaptureSchedule::imageAt(std::siz
   const std::int64_t number = frame + std::llround(pictures.delay * rate_);
   const double time = static_cast<double>(number) / rate_ - pictures.delay;
   if (pictures.sequenceNumbers.empty()) {
-    const bool isThere = number >= 0 && number < pictures.count;
+    const bool isThere = number >= 0 && number < pictures.imageCount;
     return isThere ? std::optional(ScheduledImage{number, time}) : std::nullopt;
   }
   const auto found = std::ranges::lower_bound(pictures.sequenceNumbers, number);

@@ -24,7 +24,7 @@ class CaptureSchedule {
 public:
   /// Number, delay and capture times of the images of one camera.
   struct CameraImages {
-    std::int64_t count = 0; ///< number of images, > 0
+    std::int64_t imageCount = 0; ///< number of images, > 0
     /// How much earlier an image shows the scene than its delivery or capture time says, seconds.
     double delay = 0.0;
     /// Capture time of each image, by a common clock. Either all cameras have capture times or
@@ -44,15 +44,15 @@ public:
 
   /// One image of a camera, as assigned to a frame set.
   struct ScheduledImage {
-    std::int64_t number = 0; ///< index of the image
-    double time = 0.0;       ///< time at which the image shows the scene, seconds after frame set 0
+    std::int64_t imageIndex = 0; ///< index of the image
+    double time = 0.0; ///< time at which the image shows the scene, seconds after frame set 0
   };
   /// Returns the image of a camera in a frame set, or nothing if the camera has none.
   std::optional<ScheduledImage> imageAt(std::size_t camera, std::int64_t frame) const;
 
   /// Returns the number of frame sets spanned by the images of a camera, including missing images.
   static std::int64_t frameSetCountOf(const CameraImages& camera) {
-    return camera.sequenceNumbers.empty() ? camera.count : camera.sequenceNumbers.back() + 1;
+    return camera.sequenceNumbers.empty() ? camera.imageCount : camera.sequenceNumbers.back() + 1;
   }
   /// Returns the highest frame rate of any camera in images per second, computed from the capture
   /// times; 0 if it is unknown.

@@ -47,8 +47,8 @@ bool isFolderOf(const CheckedCodec& codec) {
 }
 
 Status writeLossless(const CheckedCodec& codec, const std::string& file) {
-  auto writer =
-      isFolderOf(codec) ? FrameWriter::images(file) : FrameWriter::video(file, kCheckRate);
+  auto writer = isFolderOf(codec) ? FrameWriter::createImageFolder(file)
+                                  : FrameWriter::createVideo(file, kCheckRate);
   if (!writer) {
     return tl::make_unexpected(writer.error());
   }

@@ -32,7 +32,7 @@ struct DeviceFormat {
   std::string pixelFormat; ///< V4L2 four-character code without trailing spaces: "MJPG", "YUYV"
   int width = 0;           ///< pixels; either both width and height are 0, or neither is
   int height = 0;          ///< pixels
-  double rate = 0.0;       ///< images per second
+  double frameRate = 0.0;  ///< images per second
 
   bool operator==(const DeviceFormat&) const = default;
 };

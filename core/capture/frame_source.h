@@ -31,7 +31,7 @@ public:
   /// Makes `frame` the next frame set to be read. Ignored by live sources.
   virtual Status seek(std::int64_t frame) = 0;
   /// Returns the number of live frames that were replaced by newer ones before they were read.
-  virtual std::int64_t droppedFrames() const { return 0; }
+  virtual std::int64_t droppedFrameCount() const { return 0; }
   /// Returns problems that do not stop the run, such as videos of different lengths or a
   /// disconnected camera.
   virtual std::vector<Error> notices() const { return {}; }

@@ -17,7 +17,7 @@ FrameWriter::FrameWriter(FrameWriter&&) noexcept = default;
 FrameWriter& FrameWriter::operator=(FrameWriter&&) noexcept = default;
 FrameWriter::~FrameWriter() = default;
 
-Result<FrameWriter> FrameWriter::images(const std::string& folder) {
+Result<FrameWriter> FrameWriter::createImageFolder(const std::string& folder) {
   std::error_code problem;
   fs::create_directories(folder, problem);
   if (problem || !fs::is_directory(folder, problem)) {
@@ -29,7 +29,7 @@ Result<FrameWriter> FrameWriter::images(const std::string& folder) {
   return writer;
 }
 
-Result<FrameWriter> FrameWriter::video(const std::string& file, double framesPerSecond) {
+Result<FrameWriter> FrameWriter::createVideo(const std::string& file, double framesPerSecond) {
   if (!std::isfinite(framesPerSecond) || framesPerSecond <= 0) {
     return failure(ErrorCode::BadValue, file, "frames per second",
                    fmt::format("{} is not a valid frame rate", framesPerSecond));

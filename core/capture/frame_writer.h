@@ -20,10 +20,10 @@ class FrameWriter {
 public:
   /// Creates a writer for a folder of PNG files 000000.png, 000001.png, ... The folder is created
   /// if needed.
-  static Result<FrameWriter> images(const std::string& folder);
+  static Result<FrameWriter> createImageFolder(const std::string& folder);
   /// Creates a writer for an FFV1 video; the file name should end in .mkv. The first image
   /// determines the size.
-  static Result<FrameWriter> video(const std::string& file, double framesPerSecond);
+  static Result<FrameWriter> createVideo(const std::string& file, double framesPerSecond);
 
   FrameWriter(FrameWriter&&) noexcept;
   FrameWriter& operator=(FrameWriter&&) noexcept;
@@ -33,7 +33,7 @@ public:
   Status write(const cv::Mat& image);
   /// Closes the output and checks that it exists. Later writes fail.
   Status finish();
-  std::int64_t framesWritten() const { return frames_; }
+  std::int64_t writtenFrameCount() const { return frames_; }
 
 private:
   FrameWriter();

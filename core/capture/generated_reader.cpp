@@ -15,7 +15,7 @@ public:
   GeneratedReader(const RecordedCamera& camera, std::string field)
       : camera_(camera), field_(std::move(field)) {}
 
-  std::int64_t frameCount() const override { return camera_.generatedFrames; }
+  std::int64_t frameCount() const override { return camera_.generatedFrameCount; }
   std::string fileOf(std::int64_t) const override { return camera_.path; }
   Result<cv::Mat> read(std::int64_t frame) override {
     try {
@@ -38,7 +38,7 @@ private:
 } // namespace
 
 Result<FrameReaderPtr> openGeneratedReader(const RecordedCamera& camera, const std::string& field) {
-  if (!camera.generate || camera.generatedFrames < 1) {
+  if (!camera.generate || camera.generatedFrameCount < 1) {
     return failure(ErrorCode::BadValue, camera.path, field, "there is nothing that makes images");
   }
   return std::make_unique<GeneratedReader>(camera, field);

@@ -89,11 +89,11 @@ void ImageHealth::restart(Clock::time_point now) {
 
 /// Whether an image was sent before: as the one before it, or earlier in the window.
 bool ImageHealth::isRepeat(std::uint64_t content) const {
-  const auto differs = [&](const Seen& image) { return image.content != content; };
+  const auto differs = [&](const Seen& image) { return image.contentHash != content; };
   const auto run = std::find_if(seen_.rbegin(), seen_.rend(), differs); // ends before the newest
   const auto copies = run - seen_.rbegin();
   return (copies > 0 && copies <= kMostCopies) ||
-         (copies == 0 && std::ranges::find(seen_, content, &Seen::content) != seen_.end());
+         (copies == 0 && std::ranges::find(seen_, content, &Seen::contentHash) != seen_.end());
 }
 
 void ImageHealth::learnRate(Clock::time_point now) {
@@ -112,17 +112,17 @@ void ImageHealth::learnRate(Clock::time_point now) {
 void ImageHealth::add(const cv::Mat& image, Clock::time_point arrived,
                       std::optional<Clock::time_point> captured) {
   learnRate(arrived);
-  if (!seen_.empty() && arrived - seen_.back().arrived > kSilent) {
+  if (!seen_.empty() && arrived - seen_.back().arrivalTime > kSilent) {
     begun_ = arrived;
   }
-  while (!seen_.empty() && arrived - seen_.front().arrived > kWindow) {
+  while (!seen_.empty() && arrived - seen_.front().arrivalTime > kObservationPeriod) {
     seen_.pop_front();
   }
   const std::uint64_t content = contentOf(image);
-  const bool isSame = !seen_.empty() && seen_.back().content == content;
+  const bool isSame = !seen_.empty() && seen_.back().contentHash == content;
   const bool isRepeated = isRepeat(content);
   if (isSame && !sameSince_) {
-    sameSince_ = seen_.back().arrived;
+    sameSince_ = seen_.back().arrivalTime;
   } else if (!isSame) {
     sameSince_.reset();
   }
@@ -133,17 +133,17 @@ void ImageHealth::add(const cv::Mat& image, Clock::time_point arrived,
 
 /// Of a run of images that began then: whether the last one is long after it.
 bool ImageHealth::isLongAgo(const std::optional<Clock::time_point>& since) const {
-  return since && !seen_.empty() && seen_.back().arrived - *since >= kMinFaultDuration;
+  return since && !seen_.empty() && seen_.back().arrivalTime - *since >= kMinFaultDuration;
 }
 
 bool ImageHealth::isSlow(Clock::time_point now) const {
   const double rate = expectedRate();
-  if (rate < kLeastRate || seen_.empty() || now - seen_.back().arrived > kSilent ||
+  if (rate < kLeastRate || seen_.empty() || now - seen_.back().arrivalTime > kSilent ||
       now - begun_ < kSettling) {
     return false;
   }
   const auto recent = std::ranges::count_if(
-      seen_, [&](const Seen& image) { return now - image.arrived < kWindow; });
+      seen_, [&](const Seen& image) { return now - image.arrivalTime < kObservationPeriod; });
   return static_cast<double>(recent) < kMinRateShare * rate;
 }
 

@@ -28,7 +28,8 @@ class ImageHealth {
 public:
   using Clock = std::chrono::steady_clock;
 
-  static constexpr std::chrono::milliseconds kWindow{1000}; ///< period whose images are assessed
+  static constexpr std::chrono::milliseconds kObservationPeriod{
+      1000}; ///< period whose images are assessed
   /// Time for which images must be black, identical or late to count as a fault. Chosen so that a
   /// short disturbance does not count, but a fault is reported within a second.
   static constexpr std::chrono::milliseconds kMinFaultDuration{700};
@@ -38,9 +39,9 @@ public:
   /// An image is black if at most this fraction of its pixels is not black. Chosen to allow for a
   /// few defective pixels.
   static constexpr double kMaxBrightShareOfBlackImage = 0.002;
-  /// A camera repeats images if at least this fraction of the images in the last second (kWindow)
-  /// repeats an earlier image. Chosen by judgment: a camera that sends every image twice repeats
-  /// half of them.
+  /// A camera repeats images if at least this fraction of the images in the last second
+  /// (kObservationPeriod) repeats an earlier image. Chosen by judgment: a camera that sends every
+  /// image twice repeats half of them.
   static constexpr double kMinRepeatedShare = 0.3;
   /// An image is late if more than this time plus the camera's delay passes between its capture and
   /// its arrival.
@@ -51,7 +52,7 @@ public:
 
   /// Creates the assessment for one camera. `requestedRate`: images per second that were requested
   /// from the camera. If it is 0, the expected rate is the highest rate that the camera has had
-  /// over two seconds. `delay`: delay of the camera, seconds (LiveCamera::delay).
+  /// over two seconds. `delay`: delay of the camera, seconds (LiveCamera::delaySeconds).
   explicit ImageHealth(double requestedRate = 0.0, double delay = 0.0);
 
   /// Forgets all images, but not the highest frame rate that the camera has had. Call this when the
@@ -68,9 +69,9 @@ public:
 private:
   /// Data that are kept of an image.
   struct Seen {
-    Clock::time_point arrived{};
-    std::uint64_t content = 0; ///< hash of some of its rows
-    bool isRepeated = false;   ///< see isRepeat()
+    Clock::time_point arrivalTime{};
+    std::uint64_t contentHash = 0; ///< hash of some of its rows
+    bool isRepeated = false;       ///< see isRepeat()
   };
 
   void learnRate(Clock::time_point now);

@@ -19,7 +19,7 @@ public:
   /// Forgets when the last image arrived, but not the rate. Call this after a new connection.
   void restart();
   /// Returns the rate in images per second; 0 before the second image.
-  double perSecond() const { return interval_ > 0.0 ? 1.0 / interval_ : 0.0; }
+  double imagesPerSecond() const { return interval_ > 0.0 ? 1.0 / interval_ : 0.0; }
 
 private:
   double interval_ = 0.0; ///< smoothed time between two images, seconds; 0: unknown

@@ -21,7 +21,7 @@ Result<cv::Mat> asBgr(const cv::Mat& picture, const ImageShape& shape, const std
   } else if (picture.type() == CV_8UC4) {
     cv::cvtColor(picture, bgr, cv::COLOR_BGRA2BGR);
   } else {
-    return failure(ErrorCode::Mismatch, file, cameraField(shape.camera),
+    return failure(ErrorCode::Mismatch, file, quotedCameraName(shape.cameraName),
                    "the image has neither 8-bit color nor 8-bit gray values");
   }
   return bgr;
@@ -51,7 +51,7 @@ Result<cv::Mat> cropped(const cv::Mat& picture, const ImageShape& shape, const s
   const cv::Rect rest(crop.left, crop.top, picture.cols - crop.width(),
                       picture.rows - crop.height());
   if (rest.width < 1 || rest.height < 1) {
-    return failure(ErrorCode::Mismatch, file, cameraField(shape.camera),
+    return failure(ErrorCode::Mismatch, file, quotedCameraName(shape.cameraName),
                    fmt::format("{} x {}, of which cropping by {} x {} leaves nothing", picture.cols,
                                picture.rows, crop.width(), crop.height()));
   }
@@ -60,7 +60,7 @@ Result<cv::Mat> cropped(const cv::Mat& picture, const ImageShape& shape, const s
 
 } // namespace
 
-std::string cameraField(const std::string& name) {
+std::string quotedCameraName(const std::string& name) {
   const bool saysSo = name.starts_with("camera") || name.starts_with("Camera");
   return (saysSo ? "'" : "camera '") + name + "'";
 }
@@ -68,16 +68,16 @@ std::string cameraField(const std::string& name) {
 Status checkShape(const ImageShape& shape, const std::string& file) {
   const int angle = shape.rotateDegrees;
   if (angle != 0 && angle != 90 && angle != 180 && angle != 270) {
-    return failure(ErrorCode::BadValue, file, cameraField(shape.camera),
+    return failure(ErrorCode::BadValue, file, quotedCameraName(shape.cameraName),
                    fmt::format("the rotation must be 0, 90, 180 or 270 degrees, not {}", angle));
   }
   if (shape.width < 0 || shape.height < 0) {
-    return failure(ErrorCode::BadValue, file, cameraField(shape.camera),
+    return failure(ErrorCode::BadValue, file, quotedCameraName(shape.cameraName),
                    fmt::format("the size {} x {} is negative", shape.width, shape.height));
   }
   const ImageMargins& crop = shape.crop;
   if (std::min({crop.left, crop.top, crop.right, crop.bottom}) < 0) {
-    return failure(ErrorCode::BadValue, file, cameraField(shape.camera),
+    return failure(ErrorCode::BadValue, file, quotedCameraName(shape.cameraName),
                    "the margins to crop must not be negative");
   }
   return {};
@@ -91,7 +91,7 @@ Result<cv::Mat> prepareImage(const cv::Mat& picture, const ImageShape& shape,
       return bgr;
     }
     cv::Mat result = rotated(*bgr, shape.rotateDegrees);
-    result = shape.mirrored ? mirrored(result) : result;
+    result = shape.isMirrored ? mirrored(result) : result;
     if (!shape.crop.isZeroOnAllSides()) {
       auto rest = cropped(result, shape, file);
       if (!rest) {
@@ -102,13 +102,14 @@ Result<cv::Mat> prepareImage(const cv::Mat& picture, const ImageShape& shape,
     const bool fits = (shape.width == 0 || result.cols == shape.width) &&
                       (shape.height == 0 || result.rows == shape.height);
     if (!fits) {
-      return failure(ErrorCode::Mismatch, file, cameraField(shape.camera),
+      return failure(ErrorCode::Mismatch, file, quotedCameraName(shape.cameraName),
                      fmt::format("{} x {}, but its calibration is for {} x {}", result.cols,
                                  result.rows, shape.width, shape.height));
     }
     return result;
   } catch (const std::exception& problem) {
-    return failure(ErrorCode::FileUnreadable, file, cameraField(shape.camera), problem.what());
+    return failure(ErrorCode::FileUnreadable, file, quotedCameraName(shape.cameraName),
+                   problem.what());
   }
 }
 

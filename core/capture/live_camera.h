@@ -20,10 +20,10 @@ struct LiveCamera {
   /// image.
   int width = 0;
   int height = 0;
-  bool mirrored = false; ///< true if left and right are swapped after the rotation
+  bool isMirrored = false; ///< true if left and right are swapped after the rotation
   /// Additional time, compared to the other cameras, from the exposure of an image to its arrival;
   /// seconds.
-  double delay = 0.0;
+  double delaySeconds = 0.0;
   /// Settings of a V4L2 device: its identity, the format to request, and the controls to set. The
   /// device is found by its identity, wherever it is plugged in. If the identity is empty, the
   /// device at `location` is used.

@@ -37,12 +37,12 @@ void WakeSignal::notify() {
   notified_.notify_all();
 }
 
-std::uint64_t WakeSignal::notifyCount() const {
+std::uint64_t WakeSignal::notificationCount() const {
   std::scoped_lock lock(mutex_);
   return notifyCount_;
 }
 
-void WakeSignal::waitForNewerNotify(std::uint64_t known, Clock::time_point deadline) {
+void WakeSignal::waitForNewNotification(std::uint64_t known, Clock::time_point deadline) {
   std::unique_lock lock(mutex_);
   notified_.wait_until(lock, deadline, [&] { return notifyCount_ > known; });
 }
@@ -55,22 +55,23 @@ struct LiveCameraThread::Progress {
 };
 
 LiveCameraThread::LiveCameraThread(const LiveCamera& camera, LiveStreamFactory factory,
-                                   std::shared_ptr<WakeSignal> wakeSignal, Clock::time_point zero)
+                                   std::shared_ptr<WakeSignal> wakeSignal,
+                                   Clock::time_point zeroTime)
     : shared_(std::make_shared<Shared>()) {
   shared_->camera = camera;
   shared_->shape = {camera.name,   camera.rotateDegrees, camera.width,
-                    camera.height, camera.mirrored,      camera.crop};
-  shared_->health = ImageHealth(camera.device.format.rate, camera.delay);
+                    camera.height, camera.isMirrored,      camera.crop};
+  shared_->health = ImageHealth(camera.device.format.frameRate, camera.delaySeconds);
   shared_->factory = std::move(factory);
   shared_->wakeSignal = std::move(wakeSignal);
-  shared_->zero = zero;
+  shared_->zeroTime = zeroTime;
   shared_->openingStartTime = Clock::now();
   thread_ = std::jthread([shared = shared_](const std::stop_token& stop) {
     setThreadPriority(ThreadPriority::Prompt); // frames are stamped here
     run(stop, *shared);
     std::scoped_lock lock(shared->mutex);
-    shared->finished = true;
-    shared->changed.notify_all();
+    shared->hasFinished = true;
+    shared->stateChanged.notify_all();
   });
 }
 
@@ -90,7 +91,8 @@ void LiveCameraThread::joinUntil(Clock::time_point deadline) {
     return;
   }
   std::unique_lock lock(shared_->mutex);
-  const bool ended = shared_->changed.wait_until(lock, deadline, [&] { return shared_->finished; });
+  const bool ended =
+      shared_->stateChanged.wait_until(lock, deadline, [&] { return shared_->hasFinished; });
   lock.unlock();
   if (ended) {
     thread_.join();
@@ -101,14 +103,14 @@ void LiveCameraThread::joinUntil(Clock::time_point deadline) {
 
 bool LiveCameraThread::isDelivering() const {
   std::scoped_lock lock(shared_->mutex);
-  return shared_->connected && !shared_->problem &&
+  return shared_->isConnected && !shared_->problem &&
          Clock::now() - shared_->lastGrabTime < silenceTimeout(*shared_);
 }
 
 /// The first image of a connection may take longer than the others.
 LiveCameraThread::Clock::duration LiveCameraThread::silenceTimeout(const Shared& shared) {
-  const double rate = shared.rate;
-  if (!shared.connected || !shared.hasGrabbed || rate <= 0.0) {
+  const double rate = shared.framesPerSecond;
+  if (!shared.isConnected || !shared.hasGrabbed || rate <= 0.0) {
     return kLongestSilence;
   }
   const auto missed = std::chrono::duration_cast<Clock::duration>(
@@ -121,30 +123,30 @@ std::optional<Error> LiveCameraThread::problem() const {
   if (shared_->problem) {
     return shared_->problem;
   }
-  const auto silentSince = shared_->connected ? shared_->lastGrabTime : shared_->openingStartTime;
+  const auto silentSince = shared_->isConnected ? shared_->lastGrabTime : shared_->openingStartTime;
   if (Clock::now() - silentSince < silenceTimeout(*shared_)) {
     return std::nullopt;
   }
   // A pipeline without a sender opens for as long as nothing comes.
-  return Error{shared_->connected ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable,
-               redactedLocation(shared_->camera.location), cameraField(shared_->camera.name),
-               shared_->connected ? "connected, but it sends no images"
-                                  : "no answer for two seconds; still waiting"};
+  return Error{shared_->isConnected ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable,
+               redactedLocation(shared_->camera.location), quotedCameraName(shared_->camera.name),
+               shared_->isConnected ? "connected, but it sends no images"
+                                    : "no answer for two seconds; still waiting"};
 }
 
-std::optional<Error> LiveCameraThread::remark() const {
+std::optional<Error> LiveCameraThread::warning() const {
   std::scoped_lock lock(shared_->mutex);
-  return shared_->remark.empty()
+  return shared_->warning.empty()
              ? std::nullopt
              : std::optional(Error{ErrorCode::BadValue, redactedLocation(shared_->camera.location),
-                                   cameraField(shared_->camera.name), shared_->remark});
+                                   quotedCameraName(shared_->camera.name), shared_->warning});
 }
 
 std::optional<Error> LiveCameraThread::imageFault() const {
   std::scoped_lock lock(shared_->mutex);
-  const auto fault = shared_->connected ? shared_->health.fault(Clock::now()) : std::nullopt;
+  const auto fault = shared_->isConnected ? shared_->health.fault(Clock::now()) : std::nullopt;
   return fault ? std::optional(Error{fault->code, redactedLocation(shared_->camera.location),
-                                     cameraField(shared_->camera.name), fault->detail})
+                                     quotedCameraName(shared_->camera.name), fault->detail})
                : std::nullopt;
 }
 
@@ -160,12 +162,12 @@ void LiveCameraThread::setProblem(Shared& shared, Error problem) {
 void LiveCameraThread::setDisconnected(Shared& shared, const std::string& detail) {
   {
     std::scoped_lock lock(shared.mutex);
-    shared.connected = false;
-    shared.remark.clear();
+    shared.isConnected = false;
+    shared.warning.clear();
     const auto code =
         shared.hasDelivered ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable;
     shared.problem = Error{code, redactedLocation(shared.camera.location),
-                           cameraField(shared.camera.name), detail};
+                           quotedCameraName(shared.camera.name), detail};
   }
   shared.wakeSignal->notify();
 }
@@ -192,7 +194,7 @@ void LiveCameraThread::run(const std::stop_token& stop, Shared& shared) {
       setDisconnected(shared, problem.what());
     }
     std::unique_lock lock(shared.mutex);
-    shared.changed.wait_for(lock, stop, progress.pause, [] { return false; });
+    shared.stateChanged.wait_for(lock, stop, progress.pause, [] { return false; });
     progress.pause = std::min<Clock::duration>(progress.pause * 2, kLongestPause);
   }
 }
@@ -201,8 +203,8 @@ void LiveCameraThread::readAll(const std::stop_token& stop, Shared& shared, Live
                                Progress& progress) {
   {
     std::scoped_lock lock(shared.mutex);
-    shared.connected = true;
-    shared.remark = stream.remark();
+    shared.isConnected = true;
+    shared.warning = stream.warning();
     shared.lastGrabTime = Clock::now();
     shared.hasGrabbed = false;
     shared.health.restart(shared.lastGrabTime);
@@ -222,13 +224,14 @@ void LiveCameraThread::readAll(const std::stop_token& stop, Shared& shared, Live
 
 void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, const Grabbed& when,
                                Progress& progress) {
-  const Clock::time_point grabbed = when.time;
-  const CaptureInstant& captured = when.captured;
+  const Clock::time_point grabbed = when.grabTime;
+  const CaptureInstant& captured = when.captureInstant;
   progress.pause = kFirstPause;
   progress.rate.add(captured.time); // images that were held up may arrive all at once
-  shared.rate = progress.rate.perSecond();
+  shared.framesPerSecond = progress.rate.imagesPerSecond();
   const double latency = std::chrono::duration<double>(grabbed - captured.time).count();
-  shared.latency = std::max(latency, shared.latency + kLatencyDecay * (latency - shared.latency));
+  shared.latencySeconds =
+      std::max(latency, shared.latencySeconds + kLatencyDecay * (latency - shared.latencySeconds));
   {
     std::scoped_lock lock(shared.mutex);
     shared.lastGrabTime = grabbed;
@@ -252,10 +255,10 @@ void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, const Gra
   }
   shared.frames.put(std::make_shared<Frame>(
       Frame{progress.frames++,
-            std::chrono::duration_cast<TimeStamp>(captured.time - shared.zero),
+            std::chrono::duration_cast<TimeStamp>(captured.time - shared.zeroTime),
             std::move(*image),
             captured.origin,
-            {captured.time, when.arrived, Clock::now(), captured.stamp}}));
+            {captured.time, when.arrivalTime, Clock::now(), captured.imageId}}));
   shared.wakeSignal->notify();
 }
 

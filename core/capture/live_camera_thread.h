@@ -28,9 +28,9 @@ public:
   /// Counts a notification and wakes up the waiting reader.
   void notify();
   /// Returns the number of notifications so far.
-  std::uint64_t notifyCount() const;
+  std::uint64_t notificationCount() const;
   /// Waits until there have been more than `known` notifications, or until the deadline.
-  void waitForNewerNotify(std::uint64_t known, Clock::time_point deadline);
+  void waitForNewNotification(std::uint64_t known, Clock::time_point deadline);
 
 private:
   mutable std::mutex mutex_;
@@ -45,9 +45,9 @@ public:
   using Clock = std::chrono::steady_clock;
 
   /// Starts the thread. It notifies `wakeSignal` for each new frame and each change of state. Times
-  /// of frames are measured from `zero`.
+  /// of frames are measured from `zeroTime`.
   LiveCameraThread(const LiveCamera& camera, LiveStreamFactory factory,
-                   std::shared_ptr<WakeSignal> wakeSignal, Clock::time_point zero);
+                   std::shared_ptr<WakeSignal> wakeSignal, Clock::time_point zeroTime);
   ~LiveCameraThread();
   LiveCameraThread(LiveCameraThread&&) noexcept = default;
   LiveCameraThread& operator=(LiveCameraThread&&) = delete;
@@ -66,15 +66,15 @@ public:
   /// Returns the camera's current problem, or nothing if there is none.
   std::optional<Error> problem() const;
   /// Returns a problem of the camera that does not prevent it from delivering images, or nothing if
-  /// there is none (LiveStream::remark()).
-  std::optional<Error> remark() const;
+  /// there is none (LiveStream::warning()).
+  std::optional<Error> warning() const;
   /// Returns the fault of the images of the last second, or nothing if they are fine (ImageHealth).
   std::optional<Error> imageFault() const;
   /// Returns the smoothed frame rate in images per second; 0 before the second image.
-  double framesPerSecond() const { return shared_->rate; }
+  double framesPerSecond() const { return shared_->framesPerSecond; }
   /// Returns the time from the capture of an image to its arrival, seconds. It is close to the
   /// longest such time among the latest images. 0 if the connection does not report capture times.
-  double latency() const { return shared_->latency; }
+  double latencySeconds() const { return shared_->latencySeconds; }
 
 private:
   /// Maximum number of frames that wait to be read. A camera sends fewer frames than this between
@@ -86,23 +86,23 @@ private:
     ImageShape shape; ///< used only by the camera's thread
     LiveStreamFactory factory;
     std::shared_ptr<WakeSignal> wakeSignal;
-    Clock::time_point zero;
+    Clock::time_point zeroTime;
 
     FrameQueue frames{kMaxFrames};
-    std::atomic<double> rate{0};
-    std::atomic<double> latency{0};
+    std::atomic<double> framesPerSecond{0};
+    std::atomic<double> latencySeconds{0};
 
     mutable std::mutex mutex; ///< guards all members below
-    std::condition_variable_any changed;
-    bool connected = false;
+    std::condition_variable_any stateChanged;
+    bool isConnected = false;
     bool hasDelivered = false;
     bool hasGrabbed = false; ///< the current connection has delivered an image
-    bool finished = false;
+    bool hasFinished = false;
     Clock::time_point
         openingStartTime{}; ///< start of the current connection attempt, while not connected
     Clock::time_point lastGrabTime{};
     std::optional<Error> problem;
-    std::string remark; ///< of the stream that is open
+    std::string warning; ///< of the stream that is open
     ImageHealth health;
   };
   struct Progress;
@@ -112,9 +112,9 @@ private:
                       Progress& progress);
   /// When an image was grabbed, when its data had arrived, and when it was captured.
   struct Grabbed {
-    Clock::time_point time{};
-    Clock::time_point arrived{};
-    CaptureInstant captured;
+    Clock::time_point grabTime{};
+    Clock::time_point arrivalTime{};
+    CaptureInstant captureInstant;
   };
   static void publish(Shared& shared, const cv::Mat& picture, const Grabbed& grabbed,
                       Progress& progress);

@@ -28,7 +28,7 @@ FramePtr inTime(FramePtr frame, TimeStamp delay) {
   }
   Frame shifted = *frame; // shares the pixels
   shifted.captureTime -= delay;
-  shifted.instants.captured -=
+  shifted.instants.capturedAt -=
       std::chrono::duration_cast<std::chrono::steady_clock::duration>(delay);
   return std::make_shared<const Frame>(std::move(shifted));
 }
@@ -36,7 +36,7 @@ FramePtr inTime(FramePtr frame, TimeStamp delay) {
 std::vector<TimeStamp> delaysOf(const std::vector<LiveCamera>& cameras) {
   std::vector<TimeStamp> delays;
   std::ranges::transform(cameras, std::back_inserter(delays),
-                         [](const LiveCamera& camera) { return timeStamp(camera.delay); });
+                         [](const LiveCamera& camera) { return timeStamp(camera.delaySeconds); });
   return delays;
 }
 
@@ -64,7 +64,7 @@ public:
   double framesPerSecond() const override;
   Result<FrameSetPtr> next() override;
   Status seek(std::int64_t) override { return {}; }
-  std::int64_t droppedFrames() const override;
+  std::int64_t droppedFrameCount() const override;
   std::vector<Error> notices() const override;
 
 private:
@@ -98,7 +98,7 @@ void LiveFrameSource::collect() {
     const double rate = cameras_[k].framesPerSecond();
     pairing_.setExpectedTiming(k, cameras_[k].isDelivering(),
                                rate > 0.0 ? timeStamp(1.0 / rate) : TimeStamp{},
-                               timeStamp(cameras_[k].latency()));
+                               timeStamp(cameras_[k].latencySeconds()));
     for (FramePtr& frame : cameras_[k].takeFrames()) {
       pairing_.add(k, inTime(std::move(frame), delays_[k]));
     }
@@ -107,26 +107,27 @@ void LiveFrameSource::collect() {
 
 std::optional<std::vector<FramePtr>> LiveFrameSource::awaited(Clock::time_point deadline) {
   for (;;) {
-    const auto notifyCount = wakeSignal_->notifyCount();
+    const auto notificationCount = wakeSignal_->notificationCount();
     collect();
-    if (auto frames = pairing_.take(now())) {
+    if (auto frames = pairing_.takeGroup(now())) {
       return frames;
     }
     if (Clock::now() >= deadline) {
       return std::nullopt;
     }
     const auto due = pairing_.dueTime();
-    wakeSignal_->waitForNewerNotify(notifyCount, due ? std::min(zero_ + *due, deadline) : deadline);
+    wakeSignal_->waitForNewNotification(notificationCount,
+                                        due ? std::min(zero_ + *due, deadline) : deadline);
   }
 }
 
 TimeStamp LiveFrameSource::earliestToCome() const {
   TimeStamp behind{};
   for (std::size_t k = 0; k < cameras_.size(); ++k) {
-    behind = std::max(behind, delays_[k] + timeStamp(cameras_[k].latency()));
+    behind = std::max(behind, delays_[k] + timeStamp(cameras_[k].latencySeconds()));
   }
   const TimeStamp coming = now() - behind;
-  return std::min(coming, pairing_.oldestTime().value_or(coming));
+  return std::min(coming, pairing_.oldestFrameTime().value_or(coming));
 }
 
 Result<FrameSetPtr> LiveFrameSource::next() {
@@ -146,7 +147,7 @@ Result<FrameSetPtr> LiveFrameSource::next() {
   return set;
 }
 
-std::int64_t LiveFrameSource::droppedFrames() const {
+std::int64_t LiveFrameSource::droppedFrameCount() const {
   std::int64_t sum = pairing_.droppedCount();
   for (const LiveCameraThread& camera : cameras_) {
     sum += camera.droppedCount();
@@ -162,8 +163,8 @@ std::vector<Error> LiveFrameSource::notices() const {
     } else if (auto fault = camera.imageFault()) {
       list.push_back(std::move(*fault));
     }
-    if (auto remark = camera.remark()) {
-      list.push_back(std::move(*remark));
+    if (auto warning = camera.warning()) {
+      list.push_back(std::move(*warning));
     }
   }
   return list;
@@ -178,7 +179,7 @@ Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& 
   }
   for (const LiveCamera& camera : cameras) {
     const ImageShape shape{camera.name,   camera.rotateDegrees, camera.width,
-                           camera.height, camera.mirrored,      camera.crop};
+                           camera.height, camera.isMirrored,    camera.crop};
     if (auto usable = checkShape(shape, redactedLocation(camera.location)); !usable) {
       return tl::make_unexpected(usable.error());
     }

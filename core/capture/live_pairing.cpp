@@ -43,7 +43,7 @@ void LivePairing::setExpectedTiming(std::size_t camera, bool delivers, TimeStamp
                                     TimeStamp latency) {
   cameras_[camera].delivers = delivers;
   cameras_[camera].latency = latency;
-  cameras_[camera].interval = interval;
+  cameras_[camera].frameInterval = interval;
 }
 
 void LivePairing::add(std::size_t camera, FramePtr frame) {
@@ -57,14 +57,14 @@ void LivePairing::add(std::size_t camera, FramePtr frame) {
     return;
   }
   its.last = time;
-  its.waiting.push_back(std::move(frame));
+  its.waitingFrames.push_back(std::move(frame));
 }
 
 TimeStamp LivePairing::window() const {
   TimeStamp shortest = TimeStamp::max();
   for (const Camera& camera : cameras_) {
-    if (camera.delivers && camera.interval > TimeStamp{}) {
-      shortest = std::min(shortest, camera.interval);
+    if (camera.delivers && camera.frameInterval > TimeStamp{}) {
+      shortest = std::min(shortest, camera.frameInterval);
     }
   }
   return times(kWindow, shortest == TimeStamp::max() ? kUsualInterval : shortest);
@@ -75,25 +75,25 @@ TimeStamp LivePairing::deadlineOf(const Camera& camera, TimeStamp begin) const {
 }
 
 bool LivePairing::canStillAdd(const Camera& camera, TimeStamp begin, TimeStamp now) const {
-  if (!camera.delivers || !camera.waiting.empty() || now >= deadlineOf(camera, begin)) {
+  if (!camera.delivers || !camera.waitingFrames.empty() || now >= deadlineOf(camera, begin)) {
     return false;
   }
-  if (!camera.last || camera.interval == TimeStamp{}) {
+  if (!camera.last || camera.frameInterval == TimeStamp{}) {
     return true;
   }
   const bool stopped =
-      now - camera.delay - camera.latency - *camera.last > kStopped * camera.interval;
+      now - camera.delay - camera.latency - *camera.last > kStopped * camera.frameInterval;
   const TimeStamp earliest =
-      camera.interval - std::min(kMostJitter, times(kJitterShare, camera.interval));
+      camera.frameInterval - std::min(kMostJitter, times(kJitterShare, camera.frameInterval));
   const bool comesLater = *camera.last + earliest > begin + window();
   return !stopped && !comesLater;
 }
 
-std::optional<TimeStamp> LivePairing::oldestTime() const {
+std::optional<TimeStamp> LivePairing::oldestFrameTime() const {
   std::optional<TimeStamp> begin;
   for (const Camera& camera : cameras_) {
-    if (!camera.waiting.empty()) {
-      const TimeStamp first = camera.waiting.front()->captureTime;
+    if (!camera.waitingFrames.empty()) {
+      const TimeStamp first = camera.waitingFrames.front()->captureTime;
       begin = begin ? std::min(*begin, first) : first;
     }
   }
@@ -101,7 +101,7 @@ std::optional<TimeStamp> LivePairing::oldestTime() const {
 }
 
 std::optional<LivePairing::Group> LivePairing::takeCompleteGroup(TimeStamp now) {
-  const auto begin = oldestTime();
+  const auto begin = oldestFrameTime();
   if (!begin || std::ranges::any_of(cameras_, [&](const Camera& camera) {
         return canStillAdd(camera, *begin, now);
       })) {
@@ -110,16 +110,17 @@ std::optional<LivePairing::Group> LivePairing::takeCompleteGroup(TimeStamp now) 
   Group group{*begin, {}};
   const TimeStamp end = *begin + window();
   for (Camera& camera : cameras_) {
-    const bool adds = !camera.waiting.empty() && camera.waiting.front()->captureTime <= end;
-    group.frames.push_back(adds ? camera.waiting.front() : FramePtr());
+    const bool adds =
+        !camera.waitingFrames.empty() && camera.waitingFrames.front()->captureTime <= end;
+    group.frames.push_back(adds ? camera.waitingFrames.front() : FramePtr());
     if (adds) {
-      camera.waiting.pop_front();
+      camera.waitingFrames.pop_front();
     }
   }
   return group;
 }
 
-std::optional<std::vector<FramePtr>> LivePairing::take(TimeStamp now) {
+std::optional<std::vector<FramePtr>> LivePairing::takeGroup(TimeStamp now) {
   while (auto group = takeCompleteGroup(now)) {
     completeGroups_.push_back(std::move(*group));
   }
@@ -143,13 +144,13 @@ std::optional<TimeStamp> LivePairing::dueTime() const {
   if (!completeGroups_.empty()) {
     return completeGroups_.front().begin;
   }
-  const auto begin = oldestTime();
+  const auto begin = oldestFrameTime();
   if (!begin) {
     return std::nullopt;
   }
   TimeStamp latest = *begin;
   for (const Camera& camera : cameras_) {
-    if (camera.delivers && camera.waiting.empty()) {
+    if (camera.delivers && camera.waitingFrames.empty()) {
       latest = std::max(latest, deadlineOf(camera, *begin));
     }
   }

@@ -41,12 +41,12 @@ public:
   /// Removes and returns the next group, one frame per camera (null where missing). A group is
   /// ready when its frames have arrived, or when the time to wait for missing frames is over.
   /// Returns nothing if no group is ready at time `now` of the session's clock.
-  std::optional<std::vector<FramePtr>> take(TimeStamp now);
+  std::optional<std::vector<FramePtr>> takeGroup(TimeStamp now);
   /// Returns the latest time, by the session's clock, at which the next group will be complete.
   /// Returns nothing if no frame is waiting.
   std::optional<TimeStamp> dueTime() const;
   /// Returns the capture time of the oldest waiting frame; nothing if no frame is waiting.
-  std::optional<TimeStamp> oldestTime() const;
+  std::optional<TimeStamp> oldestFrameTime() const;
   /// Returns the number of frames that were not in any group, or whose group was dropped.
   std::int64_t droppedCount() const { return dropped_; }
 
@@ -54,10 +54,10 @@ private:
   struct Camera {
     TimeStamp delay{};
     bool delivers = false;
-    TimeStamp interval{};
+    TimeStamp frameInterval{};
     TimeStamp latency{};
     std::optional<TimeStamp> last = std::nullopt; ///< capture time of the newest frame so far
-    std::deque<FramePtr> waiting = {};
+    std::deque<FramePtr> waitingFrames = {};
   };
   struct Group {
     TimeStamp begin{};

@@ -41,7 +41,7 @@ public:
   /// Returns a problem of the device that does not prevent it from delivering images, such as a
   /// control that could not be set. The text can be appended after a colon. It is empty if there is
   /// no problem, and does not change while the connection is open.
-  virtual std::string remark() const { return {}; }
+  virtual std::string warning() const { return {}; }
   /// Returns whether the source has delivered all its images, so that there is no point in opening
   /// it again.
   virtual bool hasEnded() const { return false; }

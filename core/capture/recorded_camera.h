@@ -25,14 +25,14 @@ struct RecordedCamera {
   int height = 0;        ///< expected height after rotation and cropping, pixels; 0: any
   /// Function that returns a new CV_8UC3 image for a frame number.
   std::function<cv::Mat(std::int64_t)> generate;
-  std::int64_t generatedFrames = 0; ///< number of generated images
-  bool mirrored = false;            ///< true if left and right are swapped after the rotation
+  std::int64_t generatedFrameCount = 0; ///< number of generated images
+  bool isMirrored = false;            ///< true if left and right are swapped after the rotation
   /// Path of the file with a table of capture times (readCaptureTimes()). Empty if images are
   /// evenly spaced at the frame rate of the recording. Either all cameras have such a file or none.
-  std::string times;
-  /// Delay in seconds. Without capture times, image k shows the scene as it was (k / rate - delay)
-  /// seconds after the start.
-  double delay = 0.0;
+  std::string timesFile;
+  /// Delay in seconds. Without capture times, image k shows the scene as it was (k / rate -
+  /// delaySeconds) seconds after the start.
+  double delaySeconds = 0.0;
   ImageMargins crop = {}; ///< margins that are cut off after rotation and mirroring
 };
 

@@ -68,7 +68,7 @@ public:
         set->frames.push_back(nullptr);
         continue;
       }
-      auto picture = readPrepared(cameras_[k], scheduled->number);
+      auto picture = readPrepared(cameras_[k], scheduled->imageIndex);
       if (!picture) {
         return tl::make_unexpected(picture.error());
       }
@@ -76,7 +76,7 @@ public:
         return FrameSetPtr();
       }
       set->frames.push_back(std::make_shared<Frame>(
-          Frame{scheduled->number, timeStamp(scheduled->time), std::move(*picture)}));
+          Frame{scheduled->imageIndex, timeStamp(scheduled->time), std::move(*picture)}));
     }
     ++next_;
     return set;
@@ -100,11 +100,12 @@ private:
 };
 
 Result<FrameReaderPtr> openReader(const RecordedCamera& camera) {
-  const std::string field = cameraField(camera.name);
+  const std::string field = quotedCameraName(camera.name);
   switch (camera.kind) {
   case RecordedCamera::Kind::Video:
-    return openVideoReader(camera.path, field,
-                           recordedStamps(camera.times, captureTimeIds(camera.name, camera.path)));
+    return openVideoReader(
+        camera.path, field,
+        readRecordedStamps(camera.timesFile, captureTimeIds(camera.name, camera.path)));
   case RecordedCamera::Kind::Images:
     return openImageFolderReader(camera.path, field);
   case RecordedCamera::Kind::Generated:
@@ -115,23 +116,22 @@ Result<FrameReaderPtr> openReader(const RecordedCamera& camera) {
 
 /// A recording that was cut off has some more times than images, or the other way round.
 Status addTimes(const RecordedCamera& description, CaptureSchedule::CameraImages& pictures) {
-  if (description.times.empty()) {
+  if (description.timesFile.empty()) {
     return {};
   }
-  const std::string field = cameraField(description.name);
-  auto times = readCaptureTimes(description.times,
+  const std::string field = quotedCameraName(description.name);
+  auto times = readCaptureTimes(description.timesFile,
                                 captureTimeIds(description.name, description.path), field);
   if (!times) {
     return tl::make_unexpected(times.error());
   }
-  if (completenessOf(description.times) == TableCompleteness::CutOff) {
-    pictures.count = std::min<std::int64_t>(pictures.count, std::ssize(*times));
-    times->resize(static_cast<std::size_t>(pictures.count));
+  if (completenessOf(description.timesFile) == TableCompleteness::CutOff) {
+    pictures.imageCount = std::min<std::int64_t>(pictures.imageCount, std::ssize(*times));
+    times->resize(static_cast<std::size_t>(pictures.imageCount));
   }
-  if (std::ssize(*times) != pictures.count) {
-    return failure(
-        ErrorCode::Mismatch, description.times, field,
-        fmt::format("it has {} times, but there are {} images", times->size(), pictures.count));
+  if (std::ssize(*times) != pictures.imageCount) {
+    return failure(ErrorCode::Mismatch, description.timesFile, field,
+        fmt::format("it has {} times, but there are {} images", times->size(), pictures.imageCount));
   }
   pictures.times = std::move(*times);
   return {};
@@ -141,7 +141,7 @@ Status addTimes(const RecordedCamera& description, CaptureSchedule::CameraImages
 Result<Camera> openCamera(const RecordedCamera& description) {
   Camera camera;
   camera.shape = {description.name,   description.rotateDegrees, description.width,
-                  description.height, description.mirrored,      description.crop};
+                  description.height, description.isMirrored,    description.crop};
   camera.path = description.path;
   if (auto usable = checkShape(camera.shape, camera.path); !usable) {
     return tl::make_unexpected(usable.error());
@@ -156,7 +156,7 @@ Result<Camera> openCamera(const RecordedCamera& description) {
     return tl::make_unexpected(first.error());
   }
   camera.first = std::move(*first);
-  camera.pictures = {camera.reader->frameCount(), description.delay, std::nullopt,
+  camera.pictures = {camera.reader->frameCount(), description.delaySeconds, std::nullopt,
                      camera.reader->sequenceNumbers()};
   if (auto timed = addTimes(description, camera.pictures); !timed) {
     return tl::make_unexpected(timed.error());
@@ -166,7 +166,7 @@ Result<Camera> openCamera(const RecordedCamera& description) {
 
 /// The file's name, without its folder, or the camera's.
 std::string nameOf(const Camera& camera) {
-  return camera.path.empty() ? cameraField(camera.shape.camera)
+  return camera.path.empty() ? quotedCameraName(camera.shape.cameraName)
                              : std::filesystem::path(camera.path).filename().string();
 }
 
@@ -183,7 +183,8 @@ void noteDifferences(const std::vector<Camera>& cameras, std::vector<Error>& not
       list += fmt::format("{}{}: {} pictures", list.empty() ? "" : ", ", nameOf(camera),
                           lengthOf(camera));
     }
-    notices.push_back({ErrorCode::Mismatch, shortest->path, cameraField(shortest->shape.camera),
+    notices.push_back({ErrorCode::Mismatch, shortest->path,
+                       quotedCameraName(shortest->shape.cameraName),
                        fmt::format("{}; only the first {} are used", list, lengthOf(*shortest))});
   }
   const Camera* reference = nullptr;
@@ -198,7 +199,8 @@ void noteDifferences(const std::vector<Camera>& cameras, std::vector<Error>& not
     }
     const double first = reference->reader->framesPerSecond();
     if (std::abs(rate - first) > kRateTolerance * first) {
-      notices.push_back({ErrorCode::Mismatch, camera.path, cameraField(camera.shape.camera),
+      notices.push_back({ErrorCode::Mismatch, camera.path,
+                         quotedCameraName(camera.shape.cameraName),
                          fmt::format("{:.4g} images per second, but {} has {:.4g}", rate,
                                      nameOf(*reference), first)});
     }
@@ -219,9 +221,10 @@ std::string firstFileBeforeGap(const Camera& camera) {
 void noteGaps(const std::vector<Camera>& cameras, std::vector<Error>& notices) {
   for (const Camera& camera : cameras) {
     const std::int64_t gaps =
-        CaptureSchedule::frameSetCountOf(camera.pictures) - camera.pictures.count;
+        CaptureSchedule::frameSetCountOf(camera.pictures) - camera.pictures.imageCount;
     if (gaps > 0 && !camera.pictures.times) {
-      notices.push_back({ErrorCode::Mismatch, camera.path, cameraField(camera.shape.camera),
+      notices.push_back({ErrorCode::Mismatch, camera.path,
+                         quotedCameraName(camera.shape.cameraName),
                          fmt::format("by the numbers in the file names, {} images are missing, the "
                                      "first after {}; the camera has no image in these frames",
                                      gaps, firstFileBeforeGap(camera))});
@@ -266,7 +269,8 @@ Result<std::unique_ptr<FrameSetSource>> openRecording(const std::vector<Recorded
   const auto hasTimes = [](const Camera& camera) { return camera.pictures.times.has_value(); };
   if (std::ranges::any_of(opened, hasTimes)) {
     if (const auto without = std::ranges::find_if_not(opened, hasTimes); without != opened.end()) {
-      return failure(ErrorCode::MissingKey, without->path, cameraField(without->shape.camera),
+      return failure(ErrorCode::MissingKey, without->path,
+                     quotedCameraName(without->shape.cameraName),
                      "other cameras have a table of times, and this one has none");
     }
   }

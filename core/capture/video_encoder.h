@@ -66,7 +66,7 @@ public:
   /// Completes the video, checks that it contains all images, and gives the file its final name.
   /// Later writes fail. Error: FileUnwritable.
   Status finish();
-  std::int64_t framesWritten() const { return frames_; }
+  std::int64_t writtenFrameCount() const { return frames_; }
 
 private:
   VideoEncoder(VideoOutput output, std::filesystem::path part,

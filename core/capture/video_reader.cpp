@@ -235,8 +235,8 @@ Result<cv::Mat> VideoReader::missing(std::int64_t frame) const {
 
 } // namespace
 
-std::optional<RecordedStamps> recordedStamps(const std::string& table,
-                                             const std::vector<std::string>& ids) {
+std::optional<RecordedStamps> readRecordedStamps(const std::string& table,
+                                                 const std::vector<std::string>& ids) {
   const TableCompleteness completeness =
       table.empty() ? TableCompleteness::Unknown : completenessOf(table);
   if (completeness == TableCompleteness::Unknown) {

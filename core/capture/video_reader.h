@@ -21,8 +21,8 @@ struct RecordedStamps {
 /// Returns the capture times in a table that this program wrote while recording the video. Returns
 /// nothing for other tables. `ids`: names by which the table may identify the camera
 /// (captureTimeIds()).
-std::optional<RecordedStamps> recordedStamps(const std::string& table,
-                                             const std::vector<std::string>& ids);
+std::optional<RecordedStamps> readRecordedStamps(const std::string& table,
+                                                 const std::vector<std::string>& ids);
 
 /// Opens a reader for the images in a video file. `field` names the camera in errors. With the
 /// capture times that were written while recording the video (`recorded`), the reader finds images

@@ -63,9 +63,9 @@ FoundRegion described(int camera, const cv::Mat& image, const cv::Mat& labels, i
   region.box = {
       statistics.at<int>(label, cv::CC_STAT_LEFT), statistics.at<int>(label, cv::CC_STAT_TOP),
       statistics.at<int>(label, cv::CC_STAT_WIDTH), statistics.at<int>(label, cv::CC_STAT_HEIGHT)};
-  region.share = found.area / double(image.total());
-  region.horizontal = third<HorizontalThird>(centers.at<double>(label, 0), image.cols);
-  region.vertical = third<VerticalThird>(centers.at<double>(label, 1), image.rows);
+  region.shareOfImage = found.area / double(image.total());
+  region.horizontalThird = third<HorizontalThird>(centers.at<double>(label, 0), image.cols);
+  region.verticalThird = third<VerticalThird>(centers.at<double>(label, 1), image.rows);
   const cv::Mat mask = labels(region.box) == label;
   std::vector<std::vector<cv::Point>> outlines;
   cv::findContours(mask, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE, region.box.tl());
@@ -96,8 +96,8 @@ void addRegions(int camera, const cv::Mat& image, const cv::Mat& targetMask,
 
 /// Whether nobody could tell this from the target.
 bool isAlike(const FoundRegion& region, const ColorEvidence& evidence) {
-  return region.area < kAlikeFactor * evidence.targetArea &&
-         kAlikeFactor * region.area > evidence.targetArea &&
+  return region.area < kAlikeFactor * evidence.targetAreaPx &&
+         kAlikeFactor * region.area > evidence.targetAreaPx &&
          colorDistance(region.color, evidence.typicalColor) <= kDistinguishable;
 }
 
@@ -127,7 +127,7 @@ ColorSuggestion suggestionFor(const ColorAssessment& assessment, const ColorEvid
   if (typical.intensity > kBright && typical.saturation < kPale) {
     return ColorSuggestion::LessExposure;
   }
-  if (evidence.imageShare > kMostOfImage) {
+  if (evidence.targetShareOfImage > kMostOfImage) {
     return ColorSuggestion::ClickObjectItself;
   }
   if (typical.saturation < kPale && assessment.isGood()) {
@@ -137,7 +137,7 @@ ColorSuggestion suggestionFor(const ColorAssessment& assessment, const ColorEvid
     return ColorSuggestion::None;
   }
   if (assessment.separability < kLow && assessment.targetShare < kLow &&
-      evidence.imageShare < kSpeck) {
+      evidence.targetShareOfImage < kSpeck) {
     return ColorSuggestion::ClickMore;
   }
   if (assessment.missesTarget() && found.empty()) {
@@ -195,23 +195,25 @@ ColorName nameOfColor(const BgrColor& bgr) {
 
 ColorAssessment assessRange(const ColorRanges& ranges, const ColorEvidence& evidence,
                             const std::vector<cv::Mat>& images) {
-  const RangeScore score = scoreRange(ranges, evidence.target, evidence.rest);
+  const RangeScore score = scoreRange(ranges, evidence.targetColors, evidence.restColors);
   ColorAssessment assessment;
   assessment.separability = score.f1;
-  assessment.targetShare = evidence.targetWeight > 0.0 ? score.target / evidence.targetWeight : 0.0;
-  assessment.backgroundShare = evidence.restWeight > 0.0 ? score.rest / evidence.restWeight : 0.0;
-  assessment.targetKnown = evidence.targetWeight > 0.0;
-  if (!assessment.targetKnown) {
+  assessment.targetShare =
+      evidence.targetWeight > 0.0 ? score.targetWeight / evidence.targetWeight : 0.0;
+  assessment.backgroundShare =
+      evidence.restWeight > 0.0 ? score.restWeight / evidence.restWeight : 0.0;
+  assessment.isTargetKnown = evidence.targetWeight > 0.0;
+  if (!assessment.isTargetKnown) {
     return assessment;
   }
   if (assessment.missesTarget()) {
-    const RangeScore whole = scoreRange(evidence.typicalRanges, {}, evidence.rest);
+    const RangeScore whole = scoreRange(evidence.typicalRanges, {}, evidence.restColors);
     assessment.backgroundShareOfFullRange =
-        evidence.restWeight > 0.0 ? whole.rest / evidence.restWeight : 0.0;
+        evidence.restWeight > 0.0 ? whole.restWeight / evidence.restWeight : 0.0;
   }
   std::vector<FoundRegion> found;
   const ColorClassifier classifier(ranges);
-  const double smallest = std::max(kSmallestDistractor, kDistractorShare * evidence.targetArea);
+  const double smallest = std::max(kSmallestDistractor, kDistractorShare * evidence.targetAreaPx);
   for (std::size_t i = 0; i < images.size(); ++i) {
     if (!evidence.targetMasks[i].empty()) {
       addRegions(int(i), images[i], evidence.targetMasks[i], classifier, smallest, found);

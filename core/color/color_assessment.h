@@ -43,10 +43,10 @@ ColorName nameOfColor(const BgrColor& color);
 struct DistractorRegion {
   int camera = 0;
   cv::Rect box;
-  double share = 0.0; ///< fraction of the image's pixels, 0 to 1
+  double shareOfImage = 0.0; ///< fraction of the image's pixels, 0 to 1
   std::vector<cv::Point> outline;
-  HorizontalThird horizontal = HorizontalThird::Center; ///< position in the image, by thirds
-  VerticalThird vertical = VerticalThird::Middle;
+  HorizontalThird horizontalThird = HorizontalThird::Center; ///< position in the image, by thirds
+  VerticalThird verticalThird = VerticalThird::Middle;
   ColorName color = ColorName::Gray;
 };
 
@@ -71,7 +71,7 @@ enum class ColorSuggestion : std::uint8_t {
 struct ColorAssessment {
   /// False if there are no samples. In that case only backgroundShare is known, as a fraction of
   /// all pixels.
-  bool targetKnown = true;
+  bool isTargetKnown = true;
   /// F1 score of the range, 0 to 1: 2 * precision * recall / (precision + recall). The samples
   /// represent the target, and the rest of the images represents the background.
   double separability = 0.0;
@@ -88,7 +88,7 @@ struct ColorAssessment {
   int similarObjectCount = 1;
   /// True if there are several samples, and the ranges match almost no color of at least one
   /// sample.
-  bool sampleLeftOut = false;
+  bool isSampleLeftOut = false;
   ColorSuggestion suggestion = ColorSuggestion::None;
 
   /// Maximum number of distractors in the list.
@@ -101,9 +101,9 @@ struct ColorAssessment {
   int score() const { return static_cast<int>(std::lround(inPercent(separability))); }
   /// Returns whether the color separates the target well from the background: the background has
   /// few matching pixels compared with the target. Their positions do not matter.
-  bool isGood() const { return targetKnown && score() >= kGoodScore; }
+  bool isGood() const { return isTargetKnown && score() >= kGoodScore; }
   /// Returns whether much of the target does not match, which lowers the score.
-  bool missesTarget() const { return targetKnown && targetShare < kMinTargetShare; }
+  bool missesTarget() const { return isTargetKnown && targetShare < kMinTargetShare; }
 };
 
 /// Returns the assessment of color ranges, based on evidence that was collected from `images`.

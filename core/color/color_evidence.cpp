@@ -41,7 +41,7 @@ bool stillShows(const cv::Mat& image, const cv::Mat& region, const ColorSample& 
       }
     }
   }
-  const double growth = double(now.size()) / std::max(sample.area, 1);
+  const double growth = double(now.size()) / std::max(sample.areaPx, 1);
   return !now.empty() && !sample.colors.empty() && growth < kOtherSize &&
          growth > 1.0 / kOtherSize &&
          colorDistance(medianColor(now), medianColor(sample.colors)) < kStillThere;
@@ -58,7 +58,7 @@ struct MatchingObjects {
   int count = 0;
 
   MatchingObjects(const cv::Mat& image, const ColorRanges& ranges, EvidenceWorkCounts& work) {
-    ++work.floodFills;
+    ++work.floodFillCount;
     cv::Mat centers;
     count = cv::connectedComponentsWithStats(matchImage(image, ColorClassifier(ranges)), labels,
                                              statistics, centers);
@@ -119,15 +119,15 @@ cv::Mat clickedTargets(const std::vector<ColorSample>& samples, int camera, cons
                        EvidenceWorkCounts& work) {
   cv::Mat mask;
   for (const ColorSample& sample : samples) {
-    if (sample.camera != camera || sample.excluded) {
+    if (sample.camera != camera || sample.isExcluded) {
       continue;
     }
-    ++work.grownRegions;
+    ++work.grownRegionCount;
     const cv::Mat region = regionOfSample(image, sample);
     if (stillShows(image, region, sample)) {
       mask = mask.empty() ? region : cv::Mat(mask | region);
       if (sample.isBox()) { // what goes on around the box is not background
-        ++work.grownRegions;
+        ++work.grownRegionCount;
         mask |= regionOfSample(image, clickInMiddle(sample));
       }
     }
@@ -186,7 +186,7 @@ namespace {
 /// Pixels are whole numbers, whose sums are exact in any order. The shares of an excluded sample
 /// are not: for the same bits, what is counted after them is counted again.
 bool areSumsExact(const std::vector<ColorSample>& samples) {
-  return std::ranges::none_of(samples, &ColorSample::excluded);
+  return std::ranges::none_of(samples, &ColorSample::isExcluded);
 }
 
 /// An image and its target mask; both empty where there is none.
@@ -233,7 +233,7 @@ public:
 private:
   /// One target in every image, and each click counts the same: a far view is no less the target.
   double targetWeight() const {
-    return std::max(evidence_.targetArea, 1.0) *
+    return std::max(evidence_.targetAreaPx, 1.0) *
            double(std::max<std::int64_t>(evidence_.viewCount, 1));
   }
   /// The target's colors, each sample of this weight, and what is typical of each.
@@ -247,12 +247,12 @@ private:
 
 void EvidenceCollector::takeSamples(std::int64_t views) {
   evidence_.viewCount = views;
-  const auto shown = std::ranges::count(samples_, false, &ColorSample::excluded);
+  const auto shown = std::ranges::count(samples_, false, &ColorSample::isExcluded);
   for (const ColorSample& sample : samples_) {
-    evidence_.targetArea += sample.excluded ? 0.0 : double(sample.area) / double(shown);
+    evidence_.targetAreaPx += sample.isExcluded ? 0.0 : double(sample.areaPx) / double(shown);
   }
   if (before_ != nullptr && before_->viewCount == views) {
-    evidence_.target = before_->target;
+    evidence_.targetColors = before_->targetColors;
     evidence_.targetColorsBySampleColor = before_->targetColorsBySampleColor;
     evidence_.targetWeight = before_->targetWeight;
     evidence_.typicalColor = before_->typicalColor;
@@ -262,7 +262,7 @@ void EvidenceCollector::takeSamples(std::int64_t views) {
   HsiCounts target;
   std::vector<BgrColor> sampled;
   for (const ColorSample& sample : samples_) {
-    if (!sample.excluded) {
+    if (!sample.isExcluded) {
       addColors(sample, targetWeight() / double(shown), target);
       sampled.insert(sampled.end(), sample.colors.begin(), sample.colors.end());
     }
@@ -270,9 +270,9 @@ void EvidenceCollector::takeSamples(std::int64_t views) {
   if (!sampled.empty()) {
     evidence_.typicalColor = medianColor(std::move(sampled));
   }
-  evidence_.target = target.colors();
-  evidence_.targetWeight = target.total();
-  if (!evidence_.target.empty()) {
+  evidence_.targetColors = target.colors();
+  evidence_.targetWeight = target.totalWeight();
+  if (!evidence_.targetColors.empty()) {
     divideColors(targetWeight() / double(shown));
   }
 }
@@ -280,7 +280,7 @@ void EvidenceCollector::takeSamples(std::int64_t views) {
 void EvidenceCollector::divideColors(double weight) {
   const auto groups = groupSamplesByColor(samples_);
   if (groups.size() < 2) {
-    evidence_.typicalRanges = fitRange(evidence_.target, {});
+    evidence_.typicalRanges = fitRange(evidence_.targetColors, {});
     return;
   }
   std::vector<ColorRange> typical;
@@ -304,19 +304,21 @@ void EvidenceCollector::takeImage(const cv::Mat& image, const std::optional<Colo
   if (image.type() != CV_8UC3) {
     return;
   }
-  const double area = evidence_.targetArea;
-  evidence_.imageShare = std::max(evidence_.imageShare, area / double(image.total()));
+  const double area = evidence_.targetAreaPx;
+  evidence_.targetShareOfImage =
+      std::max(evidence_.targetShareOfImage, area / double(image.total()));
   const bool isKnown = before_ != nullptr && camera < before_->images.size() &&
                        hasSamePixels(image, before_->images[camera].image);
   shown.clickedMask = isKnown ? before_->images[camera].clickedMask
-                              : clickedTargets(samples_, int(camera), image, evidence_.work);
+                              : clickedTargets(samples_, int(camera), image, evidence_.workCounts);
   if (!shown.clickedMask.empty()) {
     mask = shown.clickedMask.clone();
   } else {
-    shown.similarMask = isKnown && evidence_.typicalRanges == before_->typicalRanges
-                            ? before_->images[camera].similarMask
-                            : likelyTarget(image, evidence_.typicalRanges, area, evidence_.work);
-    mask = unclickedTarget(image, shown.similarMask, ranges, area, evidence_.work);
+    shown.similarColorMask =
+        isKnown && evidence_.typicalRanges == before_->typicalRanges
+            ? before_->images[camera].similarColorMask
+            : likelyTarget(image, evidence_.typicalRanges, area, evidence_.workCounts);
+    mask = unclickedTarget(image, shown.similarColorMask, ranges, area, evidence_.workCounts);
   }
   if (undecided.size() == mask.size()) {
     mask |= undecided;
@@ -328,7 +330,7 @@ void EvidenceCollector::countRest() {
   const bool goesOn = before_ != nullptr && areSumsExact(samples_);
   HsiCounts rest = goesOn ? *before_->restCounts : HsiCounts{};
   for (const ColorSample& sample : samples_) {
-    if (sample.excluded) {
+    if (sample.isExcluded) {
       addColors(sample, targetWeight(), rest);
     }
   }
@@ -338,11 +340,11 @@ void EvidenceCollector::countRest() {
     const auto now = MaskedImage::of(evidence_, i);
     if (!(now == before)) {
       recount(before, now, rest);
-      ++evidence_.work.countedImages;
+      ++evidence_.workCounts.countedImageCount;
     }
   }
-  evidence_.rest = rest.colors();
-  evidence_.restWeight = rest.total();
+  evidence_.restColors = rest.colors();
+  evidence_.restWeight = rest.totalWeight();
   evidence_.restCounts = std::make_shared<const HsiCounts>(std::move(rest));
 }
 
@@ -353,7 +355,7 @@ ColorEvidence EvidenceCollector::finish() && {
     same = MaskedImage::of(evidence_, i) == MaskedImage::of(*before_, i);
   }
   if (same) {
-    evidence_.rest = before_->rest;
+    evidence_.restColors = before_->restColors;
     evidence_.restWeight = before_->restWeight;
     evidence_.restCounts = before_->restCounts;
   } else {
@@ -377,16 +379,16 @@ ColorEvidence collect(const std::vector<ColorSample>& samples, const std::vector
 
 } // namespace
 
-ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
-                            const std::vector<cv::Mat>& images,
-                            const std::optional<ColorRanges>& ranges,
-                            const std::vector<cv::Mat>& undecided) {
+ColorEvidence collectColorEvidence(const std::vector<ColorSample>& samples,
+                                   const std::vector<cv::Mat>& images,
+                                   const std::optional<ColorRanges>& ranges,
+                                   const std::vector<cv::Mat>& undecided) {
   return collect(samples, images, ranges, undecided, nullptr);
 }
 
-ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
-                            const std::vector<cv::Mat>& images, const ColorRanges& ranges,
-                            const ColorEvidence& before) {
+ColorEvidence collectColorEvidence(const std::vector<ColorSample>& samples,
+                                   const std::vector<cv::Mat>& images, const ColorRanges& ranges,
+                                   const ColorEvidence& before) {
   std::vector<cv::Mat> undecided;
   for (const ImageEvidence& image : before.images) {
     undecided.push_back(image.undecidedMask);

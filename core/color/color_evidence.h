@@ -23,7 +23,7 @@ struct ImageEvidence {
   cv::Mat clickedMask;
   /// Mask of the pixels that most likely belong to the target, according to the typical colors of
   /// the samples. Computed only if `clickedMask` is empty; otherwise empty.
-  cv::Mat similarMask;
+  cv::Mat similarColorMask;
   /// Pixels that may show the target, and are therefore not counted as the rest of the image; may
   /// be empty.
   cv::Mat undecidedMask;
@@ -31,24 +31,25 @@ struct ImageEvidence {
 
 /// Cost of collecting evidence: how often each of the slow steps was done.
 struct EvidenceWorkCounts {
-  int grownRegions = 0;  ///< number of regions grown from samples
-  int floodFills = 0;    ///< number of times an image was divided into matching objects
-  int countedImages = 0; ///< number of images whose pixels were counted, all or some of them
+  int grownRegionCount = 0;  ///< number of regions grown from samples
+  int floodFillCount = 0;    ///< number of times an image was divided into matching objects
+  int countedImageCount = 0; ///< number of images whose pixels were counted, all or some of them
 };
 
 /// Evidence from which a target color is learned: the colors of the target, and the colors of
 /// everything else in the images (the rest). Weights are in pixels.
 struct ColorEvidence {
-  std::vector<WeightedHsiColor> target;
-  /// Colors of the target (`target`), split into one list for each separate color of the samples
-  /// (groupSamplesByColor()). Empty if the samples have only one color.
+  std::vector<WeightedHsiColor> targetColors;
+  /// Colors of the target (`targetColors`), split into one list for each separate color of the
+  /// samples (groupSamplesByColor()). Empty if the samples have only one color.
   std::vector<std::vector<WeightedHsiColor>> targetColorsBySampleColor;
-  std::vector<WeightedHsiColor> rest;
+  std::vector<WeightedHsiColor> restColors;
   double targetWeight = 0.0;
   double restWeight = 0.0;
   /// Mean area of the samples in pixels, used as the size of the target in an image.
-  double targetArea = 0.0;
-  double imageShare = 0.0; ///< targetArea as a fraction of the area of the smallest image, 0 to 1
+  double targetAreaPx = 0.0;
+  double targetShareOfImage =
+      0.0;                 ///< targetAreaPx as a fraction of the area of the smallest image, 0 to 1
   BgrColor typicalColor{}; ///< median of the sampled colors
   /// Masks per camera, CV_8UC1: 255 where a pixel shows or may show the target, so that it is not
   /// counted as the rest of the image. Empty where there is no image.
@@ -58,8 +59,8 @@ struct ColorEvidence {
   std::int64_t viewCount = 0;                  ///< number of cameras with an image
   ColorRanges typicalRanges = ColorRange{};    ///< ranges fitted to the target colors alone
   std::vector<ImageEvidence> images;           ///< evidence in the image of each camera
-  std::shared_ptr<const HsiCounts> restCounts; ///< how often each color occurs in `rest`
-  EvidenceWorkCounts work;                     ///< cost of collecting this evidence
+  std::shared_ptr<const HsiCounts> restCounts; ///< how often each color occurs in `restColors`
+  EvidenceWorkCounts workCounts;               ///< cost of collecting this evidence
 };
 
 /// Collects evidence from samples and images. In an image that still shows a clicked object, the
@@ -72,14 +73,14 @@ struct ColorEvidence {
 /// `undecided` marks the pixels that are not counted as the rest of an image. `undecided` contains
 /// a mask for each camera, as in ImageEvidence::undecidedMask, and may have fewer entries than
 /// there are cameras.
-ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
-                            const std::vector<cv::Mat>& images,
-                            const std::optional<ColorRanges>& ranges = std::nullopt,
-                            const std::vector<cv::Mat>& undecided = {});
+ColorEvidence collectColorEvidence(const std::vector<ColorSample>& samples,
+                                   const std::vector<cv::Mat>& images,
+                                   const std::optional<ColorRanges>& ranges = std::nullopt,
+                                   const std::vector<cv::Mat>& undecided = {});
 
-/// Returns exactly the result of colorEvidence(samples, images, ranges, undecided), bit for bit,
-/// but faster. `before` is earlier evidence for the same samples and the same undecided pixels. The
-/// images must have the same sizes as before. Less work is needed for these reasons:
+/// Returns exactly the result of collectColorEvidence(samples, images, ranges, undecided), bit for
+/// bit, but faster. `before` is earlier evidence for the same samples and the same undecided
+/// pixels. The images must have the same sizes as before. Less work is needed for these reasons:
 /// - Regions are grown only in images whose pixels have changed.
 /// - Objects that match the ranges are searched for only in images in which no click shows the
 ///   target.
@@ -88,9 +89,9 @@ ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
 ///
 /// If there are excluded samples and any image or its target has changed, all pixels of all images
 /// are counted again.
-ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
-                            const std::vector<cv::Mat>& images, const ColorRanges& ranges,
-                            const ColorEvidence& before);
+ColorEvidence collectColorEvidence(const std::vector<ColorSample>& samples,
+                                   const std::vector<cv::Mat>& images, const ColorRanges& ranges,
+                                   const ColorEvidence& before);
 
 /// Returns the target colors as they would appear at other positions and at other times: lighter
 /// and darker, paler and more saturated, with slightly different hues. The total weight is

@@ -21,7 +21,7 @@ bool leavesSampleOut(const ColorRanges& ranges, const std::vector<ColorSample>& 
     const auto matching = std::ranges::count_if(sample.colors, [&](const BgrColor& color) {
       return classifier.matches(color[0], color[1], color[2]);
     });
-    return !sample.excluded && !sample.colors.empty() &&
+    return !sample.isExcluded && !sample.colors.empty() &&
            static_cast<double>(matching) < kHardly * static_cast<double>(sample.colors.size());
   };
   return samples.size() > 1 && std::ranges::any_of(samples, isLeftOut);
@@ -31,7 +31,7 @@ ColorAssessment assessmentFrom(const ColorEvidence& evidence, const ColorRanges&
                                const std::vector<ColorSample>& samples,
                                const std::vector<cv::Mat>& images) {
   ColorAssessment assessment = assessRange(ranges, evidence, images);
-  assessment.sampleLeftOut = leavesSampleOut(ranges, samples);
+  assessment.isSampleLeftOut = leavesSampleOut(ranges, samples);
   return assessment;
 }
 
@@ -42,19 +42,21 @@ bool anyBackgroundImage(const std::vector<cv::Mat>& backgroundImages) {
 } // namespace
 
 Result<ColorRanges> learnRanges(const ColorEvidence& evidence) {
-  const bool anyColor = std::ranges::any_of(
-      evidence.target, [](const WeightedHsiColor& cell) { return cell.color.intensity > 0.0; });
+  const bool anyColor =
+      std::ranges::any_of(evidence.targetColors,
+                          [](const WeightedHsiColor& cell) { return cell.color.intensity > 0.0; });
   if (!anyColor) {
     return failure(ErrorCode::BadValue, {}, "samples", "all samples are black");
   }
-  const auto target = withLightVariations(evidence.target);
-  const ColorRange one = withNarrowestHue(fitRange(target, evidence.rest), target, evidence.rest);
+  const auto target = withLightVariations(evidence.targetColors);
+  const ColorRange one =
+      withNarrowestHue(fitRange(target, evidence.restColors), target, evidence.restColors);
   return multicolorRanges(evidence, one).value_or(ColorRanges(one));
 }
 
 Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
                                 const std::vector<cv::Mat>& images) {
-  const ColorEvidence evidence = colorEvidence(samples, images);
+  const ColorEvidence evidence = collectColorEvidence(samples, images);
   return learnRanges(evidence).map([&](const ColorRanges& ranges) {
     return LearnedColor{ranges[0], assessColor(ranges, samples, images, evidence),
                         ranges.rangesAfterFirst()};
@@ -63,12 +65,13 @@ Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
 
 ColorAssessment assessColor(const ColorRanges& ranges, const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images) {
-  return assessmentFrom(colorEvidence(samples, images, ranges), ranges, samples, images);
+  return assessmentFrom(collectColorEvidence(samples, images, ranges), ranges, samples, images);
 }
 
 ColorAssessment assessColor(const ColorRanges& ranges, const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images, const ColorEvidence& evidence) {
-  return assessmentFrom(colorEvidence(samples, images, ranges, evidence), ranges, samples, images);
+  return assessmentFrom(collectColorEvidence(samples, images, ranges, evidence), ranges, samples,
+                        images);
 }
 
 ColorAssessment assessColorWithBackground(const ColorRanges& ranges,
@@ -85,7 +88,7 @@ Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& sa
                                               const std::vector<cv::Mat>& images,
                                               const std::vector<cv::Mat>& backgroundImages,
                                               const std::vector<cv::Mat>& undecided) {
-  const ColorEvidence evidence = colorEvidence(samples, images, std::nullopt, undecided);
+  const ColorEvidence evidence = collectColorEvidence(samples, images, std::nullopt, undecided);
   return learnRanges(evidence).map([&](const ColorRanges& ranges) {
     const auto shown = anyBackgroundImage(backgroundImages)
                            ? suppressBackgroundColors(ranges, images, backgroundImages)

@@ -41,7 +41,7 @@ ColorAssessment assessColor(const ColorRanges& ranges, const std::vector<ColorSa
 /// Learns a color like learnColor(), but for trackers that use background images: for the
 /// assessment, background pixels with the learned color are painted black
 /// (suppressBackgroundColors()). `backgroundImages` has the same order as `images`. Pixels that are
-/// marked in `undecided` are ignored; see colorEvidence().
+/// marked in `undecided` are ignored; see collectColorEvidence().
 Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
                                               const std::vector<cv::Mat>& images,
                                               const std::vector<cv::Mat>& backgroundImages,
@@ -54,7 +54,7 @@ ColorAssessment assessColorWithBackground(const ColorRanges& ranges,
                                           const std::vector<cv::Mat>& images,
                                           const std::vector<cv::Mat>& backgroundImages);
 
-/// First step of learnColor(): finds the ranges from evidence that colorEvidence() collected
+/// First step of learnColor(): finds the ranges from evidence that collectColorEvidence() collected
 /// without its argument `ranges`. Call it instead of learnColor() if you also need the evidence for
 /// another purpose, because collecting the evidence takes most of the time.
 Result<ColorRanges> learnRanges(const ColorEvidence& evidence);

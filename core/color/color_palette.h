@@ -26,7 +26,7 @@ public:
 
   /// Returns the index of the closest palette color for each pixel: CV_8UC1 with the size of the
   /// image.
-  const cv::Mat& labels() const { return labels_; }
+  const cv::Mat& colorIndices() const { return labels_; }
   /// Returns a smoothed histogram. Each entry is the sum of all `counts`, where each count is
   /// weighted by the similarity of its color to the color of the entry.
   Shares spreadOverSimilarColors(const Shares& counts) const;

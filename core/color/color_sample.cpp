@@ -44,7 +44,7 @@ Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample sample) {
                        " pixels are in the image");
   }
   auto colors = colorsIn(bgr, regionOfSample(bgr, sample));
-  sample.area = static_cast<int>(colors.size());
+  sample.areaPx = static_cast<int>(colors.size());
   sample.colors = evenlyPicked(std::move(colors), ColorSample::kMaxColors);
   return sample;
 }

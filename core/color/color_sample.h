@@ -23,17 +23,17 @@ using BgrColor = std::array<std::uint8_t, 3>;
 struct ColorSample {
   static constexpr std::size_t kMaxColors = 256;
 
-  bool excluded = false; ///< true if the sample shows an object that is not the target
+  bool isExcluded = false; ///< true if the sample shows an object that is not the target
   /// True if the sample was not clicked, but found by the camera geometry from a click in the image
   /// of another camera.
-  bool found = false;
+  bool isFoundByGeometry = false;
   int camera = 0; ///< camera index in project order
   std::int64_t frame = 0;
   double x = 0.0; ///< position of the click, or of the box's upper left corner; pixels
   double y = 0.0;
   double width = 0.0; ///< width of a dragged box in pixels; 0 for a click
   double height = 0.0;
-  int area = 0;                   ///< area of the region grown from the click, in pixels
+  int areaPx = 0;                 ///< area of the region grown from the click, in pixels
   std::vector<BgrColor> colors{}; ///< colors of the region, evenly selected, at most kMaxColors
 
   bool isBox() const { return width > 0.0 && height > 0.0; }

@@ -17,7 +17,7 @@ void HsiCounts::add(const BgrColor& color, double weight) {
   }
   Cell& cell = cells_[index];
   for (std::size_t i = 0; i < 3; ++i) {
-    cell.sum[i] += weight * color[i];
+    cell.colorSum[i] += weight * color[i];
   }
   cell.weight += weight;
   total_ += weight;
@@ -44,7 +44,7 @@ std::vector<WeightedHsiColor> HsiCounts::colors() const {
     if (cell.weight > 0.0) {
       std::array<std::uint8_t, 3> mean{};
       for (std::size_t i = 0; i < 3; ++i) {
-        mean[i] = static_cast<std::uint8_t>(std::lround(cell.sum[i] / cell.weight));
+        mean[i] = static_cast<std::uint8_t>(std::lround(cell.colorSum[i] / cell.weight));
       }
       colors.push_back({hsiFromBgr(mean[0], mean[1], mean[2]), cell.weight});
     }

@@ -27,13 +27,13 @@ public:
   /// negative weight removes pixels that were counted earlier.
   void add(const cv::Mat& image, const cv::Mat& skip, double weight = 1.0);
   void add(const BgrColor& color, double weight);
-  double total() const { return total_; }
+  double totalWeight() const { return total_; }
   std::vector<WeightedHsiColor> colors() const;
 
 private:
   static constexpr int kBits = 6; ///< bits per channel: a cell spans 4 gray levels
   struct Cell {
-    std::array<double, 3> sum{};
+    std::array<double, 3> colorSum{};
     double weight = 0.0;
   };
   std::vector<Cell> cells_;

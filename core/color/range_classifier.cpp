@@ -20,8 +20,8 @@ RangeClassifier::RangeClassifier(const ColorRange& range)
     : sumMin_(std::max(1, int(std::ceil((range.intensityMin - kBoundSlack) * kSumOfWhite)))),
       sumMax_(int(std::floor((range.intensityMax + kBoundSlack) * kSumOfWhite))),
       // S = 1 - 3 min / sum, so the upper bound of S is the lower one of 3 min / sum.
-      leastAbove_(RatioPlane::beyond(1.0 - range.saturationMax - kBoundSlack, true)),
-      leastBelow_(RatioPlane::beyond(1.0 - range.saturationMin + kBoundSlack, false)) {
+      leastAbove_(RatioPlane::fromBound(1.0 - range.saturationMax - kBoundSlack, true)),
+      leastBelow_(RatioPlane::fromBound(1.0 - range.saturationMin + kBoundSlack, false)) {
   // Widening both ends by the slack keeps all colors off the lines, and a range of a single hue
   // from being a whole line, which would take in the opposite hue.
   const double width = std::fmod(range.hueMax - range.hueMin + 720.0, 360.0) + 2.0 * kBoundSlack;
@@ -59,7 +59,7 @@ RangeClassifier::HuePlane RangeClassifier::HuePlane::fromCoefficients(double alo
   return plane;
 }
 
-RangeClassifier::RatioPlane RangeClassifier::RatioPlane::beyond(double bound, bool greater) {
+RangeClassifier::RatioPlane RangeClassifier::RatioPlane::fromBound(double bound, bool greater) {
   if (greater ? bound <= 0.0 : bound >= 1.0) {
     return {}; // no bound at all
   }
@@ -184,7 +184,7 @@ struct MatchRowKernel {
 
       explicit RatioTest(const RangeClassifier::RatioPlane& plane)
           : factor(plane.line.scaledSlope), scale(plane.line.scale),
-            flip(plane.above ? 0 : 0xFFFF) {}
+            flip(plane.isAbove ? 0 : 0xFFFF) {}
 
       [[gnu::always_inline]] std::int16_t operator()(std::uint16_t y, std::uint16_t x) const {
         // Unsigned throughout: only so do compilers take the instruction for high halves.

@@ -69,13 +69,13 @@ private:
     /// Border of the half-plane; by default, every color is in the half-plane.
     RatioLine line{0, 0};
     /// True: the half-plane is the side of the line with greater y; false: the other side.
-    bool above = false;
+    bool isAbove = false;
 
     /// Returns the half-plane of the colors for which 3 min(R, G, B) / (R + G + B) is greater than
     /// `bound` if `greater` is true, otherwise smaller.
-    static RatioPlane beyond(double bound, bool greater);
+    static RatioPlane fromBound(double bound, bool greater);
     bool contains(const std::array<int, 2>& leastAndExcess) const noexcept {
-      return line.isBelow(leastAndExcess[x], leastAndExcess[y]) == above;
+      return line.isBelow(leastAndExcess[x], leastAndExcess[y]) == isAbove;
     }
   };
 

@@ -223,12 +223,12 @@ RangeScore scoreRange(const ColorRanges& ranges, const std::vector<WeightedHsiCo
   double all = 0.0;
   for (const WeightedHsiColor& cell : target) {
     all += cell.weight;
-    score.target += matches(cell.color, ranges) ? cell.weight : 0.0;
+    score.targetWeight += matches(cell.color, ranges) ? cell.weight : 0.0;
   }
   for (const WeightedHsiColor& cell : rest) {
-    score.rest += matches(cell.color, ranges) ? cell.weight : 0.0;
+    score.restWeight += matches(cell.color, ranges) ? cell.weight : 0.0;
   }
-  score.f1 = all > 0.0 ? f1Score(score.target, score.rest, all) : 0.0;
+  score.f1 = all > 0.0 ? f1Score(score.targetWeight, score.restWeight, all) : 0.0;
   return score;
 }
 

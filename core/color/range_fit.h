@@ -11,9 +11,10 @@ namespace dewpoint::color {
 
 /// Measure of how well color ranges match the target colors but no other colors.
 struct RangeScore {
-  double target = 0.0; ///< weight of the matching target colors
-  double rest = 0.0;   ///< weight of the matching other colors
-  double f1 = 0.0; ///< F1 score, 0 to 1: 2 * target / (weight of all target colors + target + rest)
+  double targetWeight = 0.0; ///< weight of the matching target colors
+  double restWeight = 0.0;   ///< weight of the matching other colors
+  double f1 = 0.0; ///< F1 score, 0 to 1: 2 * targetWeight / (weight of all target colors +
+                   ///< targetWeight + restWeight)
 };
 /// Returns the score of ranges for the colors of the target and the other colors (`rest`).
 RangeScore scoreRange(const ColorRanges& ranges, const std::vector<WeightedHsiColor>& target,

@@ -62,7 +62,8 @@ std::vector<ColorRange> rangeOfEach(const ColorEvidence& evidence) {
   for (const std::vector<WeightedHsiColor>& seen : evidence.targetColorsBySampleColor) {
     if (!isBlack(seen)) {
       const auto color = withLightVariations(seen);
-      ranges.push_back(withNarrowestHue(fitRange(color, evidence.rest), color, evidence.rest));
+      ranges.push_back(
+          withNarrowestHue(fitRange(color, evidence.restColors), color, evidence.restColors));
     }
   }
   return ranges;
@@ -74,7 +75,7 @@ std::vector<std::vector<std::size_t>> groupSamplesByColor(const std::vector<Colo
   std::vector<Group> groups;
   std::vector<BgrColor> colors(samples.size());
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    if (!samples[k].excluded && !samples[k].colors.empty()) {
+    if (!samples[k].isExcluded && !samples[k].colors.empty()) {
       colors[k] = medianColor(samples[k].colors);
       groups.push_back({k});
     }
@@ -95,9 +96,9 @@ std::optional<ColorRanges> multicolorRanges(const ColorEvidence& evidence, const
   if (evidence.targetColorsBySampleColor.size() < 2) {
     return std::nullopt;
   }
-  const auto target = withLightVariations(evidence.target);
+  const auto target = withLightVariations(evidence.targetColors);
   const std::vector<ColorRange> each = rangeOfEach(evidence);
-  double bestF1 = scoreRange(one, target, evidence.rest).f1 + kWorthSeveral;
+  double bestF1 = scoreRange(one, target, evidence.restColors).f1 + kWorthSeveral;
   std::optional<ColorRanges> best;
   // All choices of two and more: few, as kMaxTargetColors is.
   for (std::size_t chosen = 1; chosen < std::size_t{1} << each.size(); ++chosen) {
@@ -111,7 +112,7 @@ std::optional<ColorRanges> multicolorRanges(const ColorEvidence& evidence, const
       continue;
     }
     ColorRanges tried(std::move(ranges));
-    const double f1 = scoreRange(tried, target, evidence.rest).f1;
+    const double f1 = scoreRange(tried, target, evidence.restColors).f1;
     if (f1 > bestF1) {
       bestF1 = f1;
       best = std::move(tried);

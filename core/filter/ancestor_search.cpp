@@ -27,12 +27,12 @@ struct TileKernel {
                            std::int64_t end, AncestorSearch::Position* position,
                            std::int32_t* __restrict found) {
     std::int64_t at = position->particle - begin;
-    std::int64_t base = position->base;
+    std::int64_t base = position->commonRank;
     std::int64_t first = position->firstDraw;
     Ranks low;
     Ranks high;
-    std::memcpy(&low, position->rank.data(), sizeof low);
-    std::memcpy(&high, position->rank.data() + kHalf, sizeof high);
+    std::memcpy(&low, position->extraRanks.data(), sizeof low);
+    std::memcpy(&high, position->extraRanks.data() + kHalf, sizeof high);
     while (first < drawCount) {
       Draws lower;
       Draws upper;
@@ -56,10 +56,10 @@ struct TileKernel {
       first += kTileSize;
     }
     position->particle = begin + at;
-    position->base = base;
+    position->commonRank = base;
     position->firstDraw = first;
-    std::memcpy(position->rank.data(), &low, sizeof low);
-    std::memcpy(position->rank.data() + kHalf, &high, sizeof high);
+    std::memcpy(position->extraRanks.data(), &low, sizeof low);
+    std::memcpy(position->extraRanks.data() + kHalf, &high, sizeof high);
   }
 };
 
@@ -83,7 +83,7 @@ std::int64_t AncestorSearch::findAncestors(std::int64_t block, std::int32_t* fou
   }
   const std::int64_t padded = (count + kTileSize - 1) / kTileSize * kTileSize;
   std::fill(block_.begin() + count, block_.begin() + padded, block_[std::size_t(count - 1)]);
-  std::array<std::int32_t, SortedDraws::kBlock> all;
+  std::array<std::int32_t, SortedDraws::kBlockSize> all;
   searchBlock(padded, all.data());
   std::copy_n(all.begin(), count, found);
   return count;
@@ -93,7 +93,7 @@ void AncestorSearch::searchBlock(std::int64_t drawCount, std::int32_t* found) {
   if (weightBlock_ < 0) {
     loadWeights(cumulative_.blockOfDraw(block_.front()));
     position_.particle = weightBlock_ * kPrefixBlock;
-    position_.base = position_.particle;
+    position_.commonRank = position_.particle;
   }
   position_.firstDraw = 0;
   while (true) {

@@ -17,7 +17,7 @@ class AncestorSearch {
 public:
   AncestorSearch(const CumulativeWeights& cumulative, const SortedDraws& draws);
 
-  /// Writes the ancestors of one block of draws (from draw SortedDraws::kBlock * block on) to
+  /// Writes the ancestors of one block of draws (from draw SortedDraws::kBlockSize * block on) to
   /// `found` and returns their number. Blocks must be requested in ascending order.
   std::int64_t findAncestors(std::int64_t block, std::int32_t* found);
 
@@ -29,10 +29,10 @@ public:
     std::int64_t firstDraw = 0; ///< first draw of the tile, counted within its block
     std::int64_t particle = 0;  ///< next particle to compare with
     /// Number of particles whose cumulative weight is not above any draw of the tile.
-    std::int64_t base = 0;
-    /// For each draw, the number of further particles, beyond `base`, whose cumulative weight is
-    /// not above the draw.
-    std::array<std::int64_t, kTileSize> rank{};
+    std::int64_t commonRank = 0;
+    /// For each draw, the number of further particles, beyond `commonRank`, whose cumulative weight
+    /// is not above the draw.
+    std::array<std::int64_t, kTileSize> extraRanks{};
   };
 
 private:
@@ -45,7 +45,7 @@ private:
   std::int64_t particlesEnd_ = 0; ///< end of the current block of weights
   Position position_;
   std::array<double, kPrefixBlock + 1> weights_; ///< cumulative weights of the block, then infinity
-  std::array<double, SortedDraws::kBlock> block_;
+  std::array<double, SortedDraws::kBlockSize> block_;
 };
 
 } // namespace dewpoint::filter

@@ -20,9 +20,9 @@ void BlockWeights::resize(std::int64_t count) {
 
 void BlockWeights::setBlock(std::int64_t begin, std::int64_t length, const double* logWeights) {
   Block& block = blocks_[std::size_t(begin / kSumBlock)];
-  block.largest = largestLogWeight(logWeights, length);
-  if (std::isfinite(block.largest)) {
-    relativeWeights(logWeights, length, block.largest, relative_.data() + begin);
+  block.largestLogWeight = largestLogWeight(logWeights, length);
+  if (std::isfinite(block.largestLogWeight)) {
+    relativeWeights(logWeights, length, block.largestLogWeight, relative_.data() + begin);
   } else {
     relative_.segment(begin, length).setZero();
   }
@@ -34,10 +34,10 @@ void BlockWeights::sumUp(std::int64_t begin, std::int64_t length) {
       prefixSums(relative_.data() + begin, length, [](std::int64_t /*index*/, double /*sum*/) {});
 }
 
-bool BlockWeights::finish() {
+bool BlockWeights::normalize() {
   double largest = -std::numeric_limits<double>::infinity();
   for (const Block& block : blocks_) {
-    largest = std::max(largest, block.largest);
+    largest = std::max(largest, block.largestLogWeight);
   }
   if (!std::isfinite(largest)) {
     makeEqual();
@@ -45,7 +45,7 @@ bool BlockWeights::finish() {
   }
   double total = 0.0;
   for (Block& block : blocks_) {
-    block.factor = exponential(block.largest - largest);
+    block.factor = exponential(block.largestLogWeight - largest);
     total += block.factor * std::accumulate(block.sums.begin(), block.sums.end(), 0.0);
   }
   for (Block& block : blocks_) {
@@ -56,15 +56,15 @@ bool BlockWeights::finish() {
 
 void BlockWeights::makeEqual() {
   relative_.setOnes();
-  for (std::int64_t begin = 0; begin < count(); begin += kSumBlock) {
-    sumUp(begin, std::min(kSumBlock, count() - begin));
-    blocks_[std::size_t(begin / kSumBlock)].factor = 1.0 / static_cast<double>(count());
+  for (std::int64_t begin = 0; begin < particleCount(); begin += kSumBlock) {
+    sumUp(begin, std::min(kSumBlock, particleCount() - begin));
+    blocks_[std::size_t(begin / kSumBlock)].factor = 1.0 / static_cast<double>(particleCount());
   }
 }
 
-Eigen::ArrayXd BlockWeights::all() const {
-  Eigen::ArrayXd weights(count());
-  for (std::int64_t i = 0; i < count(); ++i) {
+Eigen::ArrayXd BlockWeights::linearWeights() const {
+  Eigen::ArrayXd weights(particleCount());
+  for (std::int64_t i = 0; i < particleCount(); ++i) {
     weights[i] = (*this)[i];
   }
   return weights;

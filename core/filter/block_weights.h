@@ -26,30 +26,32 @@ public:
   void setBlock(std::int64_t begin, std::int64_t length, const double* logWeights);
   /// Normalizes the weights so that they sum to 1. Call it after all blocks have been set. If no
   /// log weight was finite, all weights become equal and the function returns false.
-  bool finish();
+  bool normalize();
   /// Makes all weights equal.
   void makeEqual();
 
-  std::int64_t count() const { return relative_.size(); }
+  std::int64_t particleCount() const { return relative_.size(); }
   double operator[](std::int64_t particle) const {
-    return relative_[particle] * factor(particle / kSumBlock);
+    return relative_[particle] * blockFactor(particle / kSumBlock);
   }
   /// Returns the weights of all particles, which sum to 1.
-  Eigen::ArrayXd all() const;
+  Eigen::ArrayXd linearWeights() const;
 
   /// Returns the weights from particle `begin` on, relative to the largest weight in their block.
-  const double* relative(std::int64_t begin) const { return relative_.data() + begin; }
+  const double* relativeWeightsFrom(std::int64_t begin) const { return relative_.data() + begin; }
   /// Returns the factor that converts the relative weights of a block to weights that sum to 1 over
   /// the set.
-  double factor(std::int64_t block) const { return blocks_[std::size_t(block)].factor; }
+  double blockFactor(std::int64_t block) const { return blocks_[std::size_t(block)].factor; }
   /// Returns the sums of the relative weights of a block, one for each of its stretches (runs of
   /// kStretch particles).
-  const StretchSums& sums(std::int64_t block) const { return blocks_[std::size_t(block)].sums; }
+  const StretchSums& stretchSums(std::int64_t block) const {
+    return blocks_[std::size_t(block)].sums;
+  }
 
 private:
   struct Block {
-    double largest = 0.0; ///< largest log weight of the block
-    double factor = 0.0;
+    double largestLogWeight = 0.0;
+    double factor = 0.0; ///< converts relative weights to weights that sum to 1 over the set
     StretchSums sums{};
   };
   void sumUp(std::int64_t begin, std::int64_t length);

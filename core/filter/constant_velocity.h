@@ -20,12 +20,12 @@ struct ConstantVelocity {
 
   /// Moves particles by one step. `firstIndex` is the index of the first row in the whole set.
   void predict(StateRows rows, std::uint32_t firstIndex, const RandomStream& stream) const {
-    const double half = 0.5 * interval * interval;
+    const double halfSquaredInterval = 0.5 * interval * interval;
     for (Eigen::Index row = 0; row < rows.rows(); ++row) {
       const auto normal = stream.normal4(firstIndex + static_cast<std::uint32_t>(row));
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const double acceleration = accelerationSigma * normal[static_cast<std::size_t>(axis)];
-        rows(row, axis) += interval * rows(row, axis + 3) + half * acceleration;
+        rows(row, axis) += interval * rows(row, axis + 3) + halfSquaredInterval * acceleration;
         rows(row, axis + 3) += interval * acceleration;
       }
     }
@@ -38,13 +38,13 @@ struct ConstantVelocity {
     transition.topRightCorner<3, 3>().diagonal().setConstant(interval);
     state.mean = transition * state.mean;
     state.covariance = transition * state.covariance * transition.transpose();
-    const double variance = accelerationSigma * accelerationSigma;
+    const double accelerationVariance = accelerationSigma * accelerationSigma;
     const double t = interval;
     for (int axis = 0; axis < 3; ++axis) {
-      state.covariance(axis, axis) += 0.25 * t * t * t * t * variance;
-      state.covariance(axis, axis + 3) += 0.5 * t * t * t * variance;
-      state.covariance(axis + 3, axis) += 0.5 * t * t * t * variance;
-      state.covariance(axis + 3, axis + 3) += t * t * variance;
+      state.covariance(axis, axis) += 0.25 * t * t * t * t * accelerationVariance;
+      state.covariance(axis, axis + 3) += 0.5 * t * t * t * accelerationVariance;
+      state.covariance(axis + 3, axis) += 0.5 * t * t * t * accelerationVariance;
+      state.covariance(axis + 3, axis + 3) += t * t * accelerationVariance;
     }
   }
 };

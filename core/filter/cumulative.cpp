@@ -20,9 +20,9 @@ void CumulativeWeights::append(const StretchSums& sums, double factor) {
 }
 
 void CumulativeWeights::compute(const BlockWeights& weights) {
-  reset(weights.relative(0), weights.count());
+  reset(weights.relativeWeightsFrom(0), weights.particleCount());
   for (std::int64_t block = 0; block * kPrefixBlock < count_; ++block) {
-    append(weights.sums(block), weights.factor(block));
+    append(weights.stretchSums(block), weights.blockFactor(block));
   }
 }
 

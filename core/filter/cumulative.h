@@ -20,7 +20,7 @@ public:
   void compute(const BlockWeights& weights);
   void compute(const Eigen::ArrayXd& weights);
 
-  std::int64_t count() const { return count_; }
+  std::int64_t particleCount() const { return count_; }
   /// Returns the sum of all weights.
   double total() const { return before_.back(); }
   /// Returns the index of the block of kPrefixBlock particles into which a draw below total()

@@ -17,7 +17,7 @@ struct StateEstimate {
   Eigen::Index bestIndex = 0;
   double effectiveSampleSize = 0.0; ///< 1 / sum of squared weights
   /// True if no log weight was finite, so that all particles were weighted equally.
-  bool degenerate = false;
+  bool isDegenerate = false;
 };
 
 /// Computes the estimate for a whole set from its `Moments`. The weights of the set must sum to 1.

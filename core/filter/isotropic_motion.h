@@ -28,10 +28,10 @@ struct IsotropicMotion {
   };
 
   void predict(StateRows rows, std::uint32_t firstIndex, const RandomStream& stream) const {
-    constexpr Eigen::Index kBlock = 256;
-    std::array<std::array<double, kBlock>, 3> normal;
-    for (Eigen::Index begin = 0; begin < rows.rows(); begin += kBlock) {
-      const Eigen::Index count = std::min(kBlock, rows.rows() - begin);
+    constexpr Eigen::Index kBlockSize = 256;
+    std::array<std::array<double, kBlockSize>, 3> normal;
+    for (Eigen::Index begin = 0; begin < rows.rows(); begin += kBlockSize) {
+      const Eigen::Index count = std::min(kBlockSize, rows.rows() - begin);
       stream.fillNormal3(firstIndex + static_cast<std::uint32_t>(begin), count,
                          {normal[0].data(), normal[1].data(), normal[2].data()});
       for (Eigen::Index axis = 0; axis < 3; ++axis) {

@@ -44,7 +44,7 @@ concept ObservationModel = requires(const O& model, ConstStateRows rows,
 template <class R>
 concept Resampler = requires(const R& resampler, const Eigen::ArrayXd& weights, Eigen::Index count,
                              const RandomStream& stream, Ancestors& ancestors) {
-  { resampler.ancestors(weights, count, stream, ancestors) } -> std::same_as<void>;
+  { resampler.drawAncestors(weights, count, stream, ancestors) } -> std::same_as<void>;
 };
 
 /// Proposal of the CONDENSATION filter, which draws from the motion model. The log weights stay

@@ -11,12 +11,12 @@ namespace {
 
 struct WeightKernel {
   DEWPOINT_KERNEL void run(const double* weights, std::int64_t count, Moments* moments) {
-    moments->weight = sumInLanes(
+    moments->weightSum = sumInLanes(
         count, [&](std::int64_t i) __attribute__((always_inline)) { return weights[i]; });
     moments->squaredWeightSum = sumInLanes(
         count, [&](std::int64_t i)
                    __attribute__((always_inline)) { return weights[i] * weights[i]; });
-    moments->largest = maxInLanes(
+    moments->largestWeight = maxInLanes(
         count, -1.0, [&](std::int64_t i) __attribute__((always_inline)) { return weights[i]; });
   }
 };
@@ -43,11 +43,11 @@ struct ScatterKernel {
 
 void Moments::add(const Moments& other, double factor) {
   squaredWeightSum += other.squaredWeightSum * factor * factor;
-  if (other.largest * factor > largest) {
-    largest = other.largest * factor;
+  if (other.largestWeight * factor > largestWeight) {
+    largestWeight = other.largestWeight * factor;
     largestIndex = other.largestIndex;
   }
-  const double added = other.weight * factor;
+  const double added = other.weightSum * factor;
   if (!(added > 0.0)) {
     return;
   }
@@ -55,16 +55,16 @@ void Moments::add(const Moments& other, double factor) {
     mean.setZero(other.mean.size());
     scatter.setZero(other.mean.size(), other.mean.size());
   }
-  const double sum = weight + added;
+  const double sum = weightSum + added;
   const Eigen::VectorXd step = other.mean - mean;
-  const double lever = weight * (added / sum);
+  const double lever = weightSum * (added / sum);
   for (Eigen::Index a = 0; a < step.size(); ++a) {
     for (Eigen::Index b = 0; b <= a; ++b) {
       scatter(a, b) += other.scatter(a, b) * factor + lever * step[a] * step[b];
     }
     mean[a] += step[a] * (added / sum);
   }
-  weight = sum;
+  weightSum = sum;
 }
 
 Moments measureMoments(const Eigen::ArrayXXd& states, const double* weights, std::int64_t begin,
@@ -73,8 +73,9 @@ Moments measureMoments(const Eigen::ArrayXXd& states, const double* weights, std
   const std::int64_t count = end - begin;
   const auto column = [&](Eigen::Index a) { return states.col(a).data() + begin; };
   runKernel<WeightKernel>(weights, count, &moments);
-  moments.largestIndex = begin + (std::find(weights, weights + count, moments.largest) - weights);
-  if (!(moments.weight > 0.0)) {
+  moments.largestIndex =
+      begin + (std::find(weights, weights + count, moments.largestWeight) - weights);
+  if (!(moments.weightSum > 0.0)) {
     return moments;
   }
   const Eigen::Index dimension = states.cols();
@@ -82,7 +83,7 @@ Moments measureMoments(const Eigen::ArrayXXd& states, const double* weights, std
   moments.scatter.resize(dimension, dimension);
   for (Eigen::Index a = 0; a < dimension; ++a) {
     runKernel<MeanKernel>(weights, column(a), count, &moments.mean[a]);
-    moments.mean[a] /= moments.weight;
+    moments.mean[a] /= moments.weightSum;
   }
   for (Eigen::Index a = 0; a < dimension; ++a) {
     for (Eigen::Index b = 0; b <= a; ++b) {

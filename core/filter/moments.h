@@ -13,9 +13,9 @@ namespace dewpoint::filter {
 /// with the formulas of Chan, Golub and LeVeque (1983). These formulas keep the digits that a sum
 /// of squares about a distant origin would lose.
 struct Moments {
-  double weight = 0.0;           ///< sum of the weights
+  double weightSum = 0.0;        ///< sum of the weights
   double squaredWeightSum = 0.0; ///< sum of the squared weights
-  double largest = -1.0;         ///< largest weight
+  double largestWeight = -1.0;   ///< largest weight
   Eigen::Index largestIndex = 0; ///< index of the particle with the largest weight
   Eigen::VectorXd mean;          ///< weighted mean; empty if all weights are zero
   Eigen::MatrixXd scatter;       ///< sum of weight * deviation * deviation', lower triangle only

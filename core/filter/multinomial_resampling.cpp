@@ -20,27 +20,27 @@ void lookUp(const CumulativeWeights& cumulative, Eigen::Index count, const Rando
   SortedDraws draws(stream, count, cumulative.total());
   picked.resize(static_cast<std::size_t>(count));
   constexpr std::int64_t kBlocksPerWalk = 8;
-  constexpr std::int64_t kWalk = kBlocksPerWalk * SortedDraws::kBlock;
+  constexpr std::int64_t kWalk = kBlocksPerWalk * SortedDraws::kBlockSize;
   team.forEachBlock(count, kWalk, [&](std::int64_t begin, std::int64_t end) {
     AncestorSearch search(cumulative, draws);
-    for (; begin < end; begin += SortedDraws::kBlock) {
-      search.findAncestors(begin / SortedDraws::kBlock, picked.data() + begin);
+    for (; begin < end; begin += SortedDraws::kBlockSize) {
+      search.findAncestors(begin / SortedDraws::kBlockSize, picked.data() + begin);
     }
   });
 }
 
 } // namespace
 
-void MultinomialResampling::ancestors(const BlockWeights& weights, Eigen::Index count,
-                                      const RandomStream& stream, ThreadTeam& team,
-                                      Ancestors& picked) const {
+void MultinomialResampling::drawAncestors(const BlockWeights& weights, Eigen::Index count,
+                                          const RandomStream& stream, ThreadTeam& team,
+                                          Ancestors& picked) const {
   CumulativeWeights& cumulative = cumulativeWeights();
   cumulative.compute(weights);
   lookUp(cumulative, count, stream, team, picked);
 }
 
-void MultinomialResampling::ancestors(const Eigen::ArrayXd& weights, Eigen::Index count,
-                                      const RandomStream& stream, Ancestors& picked) const {
+void MultinomialResampling::drawAncestors(const Eigen::ArrayXd& weights, Eigen::Index count,
+                                          const RandomStream& stream, Ancestors& picked) const {
   CumulativeWeights& cumulative = cumulativeWeights();
   cumulative.compute(weights);
   ThreadTeam alone(1);

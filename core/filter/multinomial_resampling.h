@@ -20,11 +20,11 @@ namespace dewpoint::filter {
 /// in CumulativeWeights for each draw.
 class MultinomialResampling {
 public:
-  void ancestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,
-                 Ancestors& picked) const;
+  void drawAncestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,
+                     Ancestors& picked) const;
   /// Picks ancestors on several threads. The result is bit-identical for any number of threads.
-  void ancestors(const BlockWeights& weights, Eigen::Index count, const RandomStream& stream,
-                 ThreadTeam& team, Ancestors& picked) const;
+  void drawAncestors(const BlockWeights& weights, Eigen::Index count, const RandomStream& stream,
+                     ThreadTeam& team, Ancestors& picked) const;
 };
 
 } // namespace dewpoint::filter

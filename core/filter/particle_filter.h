@@ -63,7 +63,7 @@ public:
   StateEstimate iterate(const P& proposal, const O& observation, const R& resampler,
                         Eigen::Index nextParticleCount, const RandomKey& key, ThreadTeam& team) {
     weigh(proposal, observation, key.stream(RandomPurpose::Motion), team);
-    const bool usable = weights_.finish();
+    const bool usable = weights_.normalize();
     StateEstimate result = estimateWeighted(usable);
     resample(resampler, nextParticleCount, key.stream(RandomPurpose::Resampling), team);
     return result;
@@ -108,7 +108,7 @@ private:
       observation.addLogLikelihood(states_.middleRows(begin, length), logWeights);
       weights_.setBlock(begin, length, buffer.data());
       moments_[std::size_t(begin / kSumBlock)] =
-          measureMoments(states_, weights_.relative(begin), begin, end);
+          measureMoments(states_, weights_.relativeWeightsFrom(begin), begin, end);
     });
   }
 
@@ -155,14 +155,14 @@ private:
     Moments all;
     for (std::size_t block = 0; block < moments_.size(); ++block) {
       const auto begin = static_cast<std::int64_t>(block) * kSumBlock;
-      if (!usable) { // finish() has changed all weights
-        const std::int64_t end = std::min(begin + kSumBlock, weights_.count());
-        moments_[block] = measureMoments(states_, weights_.relative(begin), begin, end);
+      if (!usable) { // normalize() has changed all weights
+        const std::int64_t end = std::min(begin + kSumBlock, weights_.particleCount());
+        moments_[block] = measureMoments(states_, weights_.relativeWeightsFrom(begin), begin, end);
       }
-      all.add(moments_[block], weights_.factor(begin / kSumBlock));
+      all.add(moments_[block], weights_.blockFactor(begin / kSumBlock));
     }
     StateEstimate result = estimateFrom(std::move(all));
-    result.degenerate = !usable;
+    result.isDegenerate = !usable;
     return result;
   }
 
@@ -170,10 +170,12 @@ private:
   void resample(const R& resampler, Eigen::Index count, const RandomStream& stream,
                 ThreadTeam& team) {
     assert(count > 0);
-    if constexpr (requires { resampler.ancestors(weights_, count, stream, team, ancestors_); }) {
-      resampler.ancestors(weights_, count, stream, team, ancestors_);
+    if constexpr (requires {
+                    resampler.drawAncestors(weights_, count, stream, team, ancestors_);
+                  }) {
+      resampler.drawAncestors(weights_, count, stream, team, ancestors_);
     } else {
-      resampler.ancestors(weights_.all(), count, stream, ancestors_);
+      resampler.drawAncestors(weights_.linearWeights(), count, stream, ancestors_);
     }
   }
 

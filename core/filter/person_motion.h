@@ -25,16 +25,16 @@ struct PersonMotion {
     for (Eigen::Index row = 0; row < rows.rows(); ++row) {
       const auto index = firstIndex + static_cast<std::uint32_t>(row);
       const auto positionNoise = stream.normal4(index, 0);
-      const auto velocity = stream.normal4(index, 1);
+      const auto velocityNoise = stream.normal4(index, 1);
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<std::size_t>(axis);
         rows(row, axis) += interval * rows(row, axis + 3) + positionSigma * positionNoise[k];
-        rows(row, axis + 3) += velocitySigma * velocity[k];
+        rows(row, axis + 3) += velocitySigma * velocityNoise[k];
       }
       if (hasColor) {
         const double hue = rows(row, 6) + colorSigma * positionNoise[3];
         rows(row, 6) = hue - std::floor(hue);
-        rows(row, 7) = std::clamp(rows(row, 7) + colorSigma * velocity[3], 0.0, 1.0);
+        rows(row, 7) = std::clamp(rows(row, 7) + colorSigma * velocityNoise[3], 0.0, 1.0);
       }
     }
   }
@@ -51,16 +51,16 @@ struct WalkingMotion {
   double heightSigma = 0.01; ///< standard deviation, m per step
 
   void predict(StateRows rows, std::uint32_t firstIndex, const RandomStream& stream) const {
-    constexpr double kHeightPull = 0.02; // share of the difference, per step
-    const double half = 0.5 * interval * interval;
+    constexpr double kHeightReturnShare = 0.02; // share of the difference, per step
+    const double halfSquaredInterval = 0.5 * interval * interval;
     for (Eigen::Index row = 0; row < rows.rows(); ++row) {
       const auto normal = stream.normal4(firstIndex + static_cast<std::uint32_t>(row));
       for (Eigen::Index axis = 0; axis < 2; ++axis) {
         const double acceleration = accelerationSigma * normal[static_cast<std::size_t>(axis)];
-        rows(row, axis) += interval * rows(row, axis + 2) + half * acceleration;
+        rows(row, axis) += interval * rows(row, axis + 2) + halfSquaredInterval * acceleration;
         rows(row, axis + 2) += interval * acceleration;
       }
-      rows(row, 4) += kHeightPull * (meanHeight - rows(row, 4)) + heightSigma * normal[2];
+      rows(row, 4) += kHeightReturnShare * (meanHeight - rows(row, 4)) + heightSigma * normal[2];
     }
   }
 };

@@ -13,7 +13,7 @@
 namespace dewpoint::filter {
 namespace {
 
-constexpr std::int64_t kBlock = SortedDraws::kBlock;
+constexpr std::int64_t kBlockSize = SortedDraws::kBlockSize;
 
 /// A number of the Gamma distribution of a shape >= 1 and scale 1 (Marsaglia & Tsang 2000). Words
 /// of block 0 of the element stay unused.
@@ -52,9 +52,9 @@ SortedDraws::SortedDraws(const RandomStream& stream, std::int64_t count, double 
     : stream_(stream), count_(count) {
   const std::int64_t spacings = count + 1;
   begins_.assign(1, 0.0);
-  for (std::int64_t begin = 0; begin < spacings; begin += kBlock) {
-    const auto shape = static_cast<double>(std::min(kBlock, spacings - begin));
-    const double sum = gammaVariate(shape, stream, static_cast<std::uint32_t>(begin / kBlock));
+  for (std::int64_t begin = 0; begin < spacings; begin += kBlockSize) {
+    const auto shape = static_cast<double>(std::min(kBlockSize, spacings - begin));
+    const double sum = gammaVariate(shape, stream, static_cast<std::uint32_t>(begin / kBlockSize));
     begins_.push_back(begins_.back() + sum);
   }
   scale_ = total / begins_.back();
@@ -62,13 +62,13 @@ SortedDraws::SortedDraws(const RandomStream& stream, std::int64_t count, double 
 }
 
 std::int64_t SortedDraws::writeBlock(std::int64_t block, double* draws) const {
-  const std::int64_t spacings = std::min(kBlock, count_ + 1 - block * kBlock);
-  std::array<float, kBlock> spacing;
+  const std::int64_t spacings = std::min(kBlockSize, count_ + 1 - block * kBlockSize);
+  std::array<float, kBlockSize> spacing;
   const std::int64_t elements = std::min(kStretch, spacings);
   stream_.fillExponential4(static_cast<std::uint32_t>(block * kStretch), elements,
                            {spacing.data(), spacing.data() + kStretch,
                             spacing.data() + 2 * kStretch, spacing.data() + 3 * kStretch});
-  std::array<double, kBlock> sums; // the last of them has no draw
+  std::array<double, kBlockSize> sums; // the last of them has no draw
   StretchSums before = prefixSums(spacing.data(), spacings, [&](std::int64_t index, double sum) {
     sums[std::size_t(index)] = sum;
   });
@@ -79,7 +79,7 @@ std::int64_t SortedDraws::writeBlock(std::int64_t block, double* draws) const {
   const auto b = static_cast<std::size_t>(block);
   const double ratio = (begins_[b + 1] - begins_[b]) / all;
   const double limit = std::min(largest_, begins_[b + 1] * scale_);
-  const std::int64_t length = std::min(kBlock, count_ - block * kBlock);
+  const std::int64_t length = std::min(kBlockSize, count_ - block * kBlockSize);
   for (std::int64_t begin = 0; begin < length; begin += kStretch) {
     const std::int64_t part = std::min(kStretch, length - begin);
     runKernel<PlaceKernel>(part, static_cast<const double*>(sums.data() + begin),

@@ -14,20 +14,20 @@ namespace dewpoint::filter {
 /// all spacings and multiplied by `total`, are distributed like n sorted uniform draws (Devroye
 /// 1986, "Non-Uniform Random Variate Generation", section V.3.1).
 ///
-/// The spacings are grouped in blocks of kBlock. The sum of the spacings in a block is independent
-/// of their ratios. The sums of all blocks are therefore drawn first, from their gamma
+/// The spacings are grouped in blocks of kBlockSize. The sum of the spacings in a block is
+/// independent of their ratios. The sums of all blocks are therefore drawn first, from their gamma
 /// distributions. After that, each block can be generated without the blocks before it.
 class SortedDraws {
 public:
-  static constexpr std::int64_t kBlock = kPrefixBlock;
+  static constexpr std::int64_t kBlockSize = kPrefixBlock;
 
   /// Prepares `count` draws, at least one. `total` must be positive.
   SortedDraws(const RandomStream& stream, std::int64_t count, double total);
 
-  std::int64_t count() const { return count_; }
-  std::int64_t blockCount() const { return (count_ + kBlock - 1) / kBlock; }
-  /// Writes the draws of a block, beginning with draw kBlock * block, and returns their number, at
-  /// most kBlock.
+  std::int64_t drawCount() const { return count_; }
+  std::int64_t blockCount() const { return (count_ + kBlockSize - 1) / kBlockSize; }
+  /// Writes the draws of a block, beginning with draw kBlockSize * block, and returns their number,
+  /// at most kBlockSize.
   std::int64_t writeBlock(std::int64_t block, double* draws) const;
 
 private:

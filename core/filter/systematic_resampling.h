@@ -15,21 +15,22 @@ namespace dewpoint::filter {
 /// times that a particle is picked is its expected number, rounded up or down. The weights need not
 /// sum to 1, but at least one must be positive.
 struct SystematicResampling {
-  void ancestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,
-                 Ancestors& picked) const {
+  void drawAncestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,
+                     Ancestors& picked) const {
     picked.resize(static_cast<std::size_t>(count));
-    Eigen::Index last = 0; // of positive weight, in case rounding carries a step past the end
+    // Last positive weight, in case rounding carries a step past the end.
+    Eigen::Index lastPositive = 0;
     for (Eigen::Index i = 0; i < weights.size(); ++i) {
-      last = weights[i] > 0.0 ? i : last;
+      lastPositive = weights[i] > 0.0 ? i : lastPositive;
     }
     const double step = weights.sum() / static_cast<double>(count);
     const double first = stream.uniform(0) * step;
-    double cumulative = weights[0];
+    double cumulativeWeight = weights[0];
     Eigen::Index ancestor = 0;
     for (Eigen::Index i = 0; i < count; ++i) {
       const double draw = first + static_cast<double>(i) * step;
-      while (draw >= cumulative && ancestor < last) {
-        cumulative += weights[++ancestor];
+      while (draw >= cumulativeWeight && ancestor < lastPositive) {
+        cumulativeWeight += weights[++ancestor];
       }
       picked[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(ancestor);
     }

@@ -52,7 +52,7 @@ public:
   /// Returns the optical center in the world frame, meters.
   const Eigen::Vector3d& cameraCenter() const { return cameraCenter_; }
   /// Returns the focal length in pixels: pixels per radian near the optical axis.
-  double focal() const { return focal_; }
+  double focalLength() const { return focal_; }
 
 private:
   Projector projector_;

@@ -9,7 +9,7 @@ ImageMargins transformed(const ImageSymmetry& symmetry, ImageMargins margins) {
   for (int rotated = 0; rotated < symmetry.rotateDegrees; rotated += 90) {
     margins = {margins.bottom, margins.left, margins.top, margins.right};
   }
-  if (symmetry.mirrored) {
+  if (symmetry.isMirrored) {
     std::swap(margins.left, margins.right);
   }
   return margins;

@@ -47,7 +47,7 @@ Eigen::Vector2d transformed(const ImageSymmetry& symmetry, const Eigen::Vector2d
     at = Eigen::Vector2d(height - 1 - at.y(), at.x());
     std::swap(width, height);
   }
-  if (symmetry.mirrored) {
+  if (symmetry.isMirrored) {
     at.x() = width - 1 - at.x();
   }
   return at;
@@ -58,7 +58,7 @@ Camera transformed(const ImageSymmetry& symmetry, const Camera& camera) {
   for (int rotated = 0; rotated < symmetry.rotateDegrees; rotated += 90) {
     turnQuarter(result);
   }
-  if (symmetry.mirrored) {
+  if (symmetry.isMirrored) {
     result.intrinsics.centerX = result.intrinsics.width - 1 - result.intrinsics.centerX;
     if (result.lens == LensModel::Pinhole) {
       result.distortion[3] = -result.distortion[3];
@@ -69,8 +69,8 @@ Camera transformed(const ImageSymmetry& symmetry, const Camera& camera) {
 
 ImageSymmetry combined(const ImageSymmetry& first, const ImageSymmetry& second) {
   // Mirroring and then turning clockwise is turning counterclockwise and then mirroring.
-  const int turn = first.mirrored ? 360 - second.rotateDegrees : second.rotateDegrees;
-  return {(first.rotateDegrees + turn) % 360, first.mirrored != second.mirrored};
+  const int turn = first.isMirrored ? 360 - second.rotateDegrees : second.rotateDegrees;
+  return {(first.rotateDegrees + turn) % 360, first.isMirrored != second.isMirrored};
 }
 
 } // namespace dewpoint::geometry

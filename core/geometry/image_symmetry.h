@@ -14,7 +14,7 @@ namespace dewpoint::geometry {
 /// camera's source settings store the same two values.
 struct ImageSymmetry {
   int rotateDegrees = 0;
-  bool mirrored = false;
+  bool isMirrored = false;
 
   bool operator==(const ImageSymmetry&) const = default;
 };

@@ -18,13 +18,13 @@ Eigen::VectorXd leastSquares(const Eigen::MatrixXd& matrix, const Eigen::VectorX
 
 /// Eigenvalues of a symmetric matrix in ascending order, and unit eigenvectors as columns.
 struct SymmetricEigen {
-  Eigen::VectorXd values;
-  Eigen::MatrixXd vectors;
-  bool converged = false;
+  Eigen::VectorXd eigenvalues;
+  Eigen::MatrixXd eigenvectors;
+  bool hasConverged = false;
 };
 
 /// Computes the eigendecomposition of a symmetric matrix. Only the lower triangle is read.
-/// `converged` is false in the result if the iteration failed.
+/// `hasConverged` is false in the result if the iteration failed.
 SymmetricEigen symmetricEigen(const Eigen::MatrixXd& matrix);
 
 /// Returns the solution x of `matrix` * x = `right` for a positive or negative semidefinite matrix.

@@ -31,7 +31,7 @@ struct Projection {
   struct Pixel {
     double column;
     double row;
-    bool visible; ///< in front of the camera and within the valid angle of the distortion
+    bool isVisible; ///< in front of the camera and within the valid angle of the distortion
   };
 
   /// Projects the world point (x, y, z), meters, with LensModel::Pinhole. `Distorted` is false to
@@ -42,23 +42,25 @@ struct Projection {
     const double xCamera = r[0] * x + r[1] * y + r[2] * z + translation[0];
     const double yCamera = r[3] * x + r[4] * y + r[5] * z + translation[1];
     const double zCamera = r[6] * x + r[7] * y + r[8] * z + translation[2];
-    bool visible = zCamera > kMinDepth; // also false for NaN
-    const double inverse = 1.0 / zCamera;
-    double u = xCamera * inverse;
-    double v = yCamera * inverse;
+    bool isVisible = zCamera > kMinDepth; // also false for NaN
+    const double inverseDepth = 1.0 / zCamera;
+    double u = xCamera * inverseDepth;
+    double v = yCamera * inverseDepth;
     if constexpr (Distorted) {
       const auto& k = distortion;
-      const double s = u * u + v * v;
-      visible = visible & (s <= radiusSquaredLimit);
-      const double numerator = 1.0 + s * (k[0] + s * (k[1] + s * k[4]));
-      const double denominator = 1.0 + s * (k[5] + s * (k[6] + s * k[7]));
-      const double factor = numerator / denominator;
-      const double du = 2.0 * k[2] * u * v + k[3] * (s + 2.0 * u * u);
-      const double dv = k[2] * (s + 2.0 * v * v) + 2.0 * k[3] * u * v;
-      u = u * factor + du;
-      v = v * factor + dv;
+      const double radiusSquared = u * u + v * v;
+      isVisible = isVisible & (radiusSquared <= radiusSquaredLimit);
+      const double numerator =
+          1.0 + radiusSquared * (k[0] + radiusSquared * (k[1] + radiusSquared * k[4]));
+      const double denominator =
+          1.0 + radiusSquared * (k[5] + radiusSquared * (k[6] + radiusSquared * k[7]));
+      const double radialFactor = numerator / denominator;
+      const double du = 2.0 * k[2] * u * v + k[3] * (radiusSquared + 2.0 * u * u);
+      const double dv = k[2] * (radiusSquared + 2.0 * v * v) + 2.0 * k[3] * u * v;
+      u = u * radialFactor + du;
+      v = v * radialFactor + dv;
     }
-    return {focalX * u + centerX, focalY * v + centerY, visible};
+    return {focalX * u + centerX, focalY * v + centerY, isVisible};
   }
 
   /// Projects the world point (x, y, z), meters, with LensModel::Fisheye. A point at angle t from
@@ -70,15 +72,19 @@ struct Projection {
     const double zCamera = r[6] * x + r[7] * y + r[8] * z + translation[2];
     const double u = xCamera / zCamera;
     const double v = yCamera / zCamera;
-    const double s = u * u + v * v;
-    const bool visible = zCamera > kMinDepth && s <= radiusSquaredLimit; // also false for NaN
-    const double radius = std::sqrt(s);
+    const double radiusSquared = u * u + v * v;
+    const bool isVisible =
+        zCamera > kMinDepth && radiusSquared <= radiusSquaredLimit; // also false for NaN
+    const double radius = std::sqrt(radiusSquared);
     const double angle = std::atan(radius);
-    const double t = angle * angle;
+    const double angleSquared = angle * angle;
     const auto& k = distortion;
-    const double bent = angle * (1.0 + t * (k[0] + t * (k[1] + t * (k[2] + t * k[3]))));
-    const double factor = radius > 1e-8 ? bent / radius : 1.0;
-    return {focalX * u * factor + centerX, focalY * v * factor + centerY, visible};
+    const double distortedAngle =
+        angle *
+        (1.0 + angleSquared *
+                   (k[0] + angleSquared * (k[1] + angleSquared * (k[2] + angleSquared * k[3]))));
+    const double radialFactor = radius > 1e-8 ? distortedAngle / radius : 1.0;
+    return {focalX * u * radialFactor + centerX, focalY * v * radialFactor + centerY, isVisible};
   }
 };
 

@@ -71,8 +71,8 @@ template <bool Distorted> struct ProjectKernel {
     const Projection model = *projection;
     for (std::int64_t i = 0; i < count; ++i) {
       const auto pixel = model.pixel<Distorted>(x[i], y[i], z[i]);
-      column[i] = pixel.visible ? pixel.column : kNowhere;
-      row[i] = pixel.visible ? pixel.row : kNowhere;
+      column[i] = pixel.isVisible ? pixel.column : kNowhere;
+      row[i] = pixel.isVisible ? pixel.row : kNowhere;
     }
   }
 };
@@ -106,7 +106,7 @@ std::optional<Eigen::Vector2d> Projector::project(const Eigen::Vector3d& pointWo
   const Projection::Pixel pixel = lens_ == LensModel::Fisheye ? projection_.fisheyePixel(x, y, z)
                                   : distorted_                ? projection_.pixel<true>(x, y, z)
                                                               : projection_.pixel<false>(x, y, z);
-  if (!pixel.visible) {
+  if (!pixel.isVisible) {
     return std::nullopt;
   }
   return Eigen::Vector2d(pixel.column, pixel.row);
@@ -117,8 +117,8 @@ void Projector::projectBatch(std::int64_t count, const double* x, const double* 
   if (lens_ == LensModel::Fisheye) {
     for (std::int64_t i = 0; i < count; ++i) {
       const auto pixel = projection_.fisheyePixel(x[i], y[i], z[i]);
-      column[i] = pixel.visible ? pixel.column : kNowhere;
-      row[i] = pixel.visible ? pixel.row : kNowhere;
+      column[i] = pixel.isVisible ? pixel.column : kNowhere;
+      row[i] = pixel.isVisible ? pixel.row : kNowhere;
     }
   } else if (distorted_) {
     runKernel<ProjectKernel<true>>(&projection_, count, x, y, z, column, row);

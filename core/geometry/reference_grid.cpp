@@ -197,7 +197,7 @@ std::optional<double> meets(const ReferenceGrid& grid, std::pair<int, int> side,
 
 Eigen::Isometry3d ReferenceGrid::worldFromGrid() const {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  pose.linear() = Eigen::AngleAxisd(rotationAngle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   pose.translation() = origin;
   return pose;
 }
@@ -212,7 +212,7 @@ Eigen::Vector3d ReferenceGrid::center() const {
 
 Status checkGrid(const ReferenceGrid& grid) {
   if (!grid.origin.allFinite() || grid.origin.cwiseAbs().maxCoeff() > kLargest ||
-      !std::isfinite(grid.turn)) {
+      !std::isfinite(grid.rotationAngle)) {
     return failure(ErrorCode::BadValue, "", "origin",
                    fmt::format("numbers up to {} m are expected", kLargest));
   }

@@ -21,14 +21,14 @@ enum class GridKind {
 
 /// Grid of known size in the world, drawn over the real surface in the images (the calibration
 /// method of Barrera, Cañas and Matellán 2005). The grid starts at `origin` and extends by `size`
-/// along its own axes, which are the world axes rotated by `turn` about the vertical.
+/// along its own axes, which are the world axes rotated by `rotationAngle` about the vertical.
 struct ReferenceGrid {
   GridKind kind = GridKind::Floor;
   Eigen::Vector3d size{4.0, 4.0,
                        2.0}; ///< size along x, y and z, meters; floors ignore z, walls ignore y
   double step = 0.5;         ///< distance between lines, meters
   Eigen::Vector3d origin{-2.0, -2.0, 0.0}; ///< world frame, meters
-  double turn = 0.0; ///< rotation in radians, counterclockwise as seen from above
+  double rotationAngle = 0.0; ///< rotation in radians, counterclockwise as seen from above
 
   bool operator==(const ReferenceGrid&) const = default;
 

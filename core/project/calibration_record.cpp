@@ -34,13 +34,13 @@ PoseRecord recordOfPose(const Camera& camera, CalibrationOrigin origin,
 }
 
 bool describes(const LensRecord& record, const Camera& camera) {
-  return std::ranges::equal(record.values, numbersOf(camera.intrinsics),
+  return std::ranges::equal(record.describedIntrinsics, numbersOf(camera.intrinsics),
                             [](double a, double b) { return std::abs(a - b) < kSamePixels; });
 }
 
 bool describes(const PoseRecord& record, const Camera& camera) {
-  const Eigen::Map<const Eigen::Vector3d> center(record.values.data());
-  const Eigen::Map<const Eigen::Vector3d> turn(record.values.data() + 3);
+  const Eigen::Map<const Eigen::Vector3d> center(record.describedPose.data());
+  const Eigen::Map<const Eigen::Vector3d> turn(record.describedPose.data() + 3);
   return (center - camera.center()).norm() < kSameMeters * (1.0 + center.norm()) &&
          angleBetween(rotationFromVector(turn), camera.cameraFromWorld.linear()) < kSameRadians;
 }

@@ -24,7 +24,7 @@ struct LensRecord {
   /// projection of a given direction, where it is largest in the image. Empty if unknown.
   std::optional<double> error;
   /// Intrinsics that the record describes: the two focal lengths and the principal point, pixels.
-  std::array<double, 4> values{};
+  std::array<double, 4> describedIntrinsics{};
 
   bool operator==(const LensRecord&) const = default;
 };
@@ -37,7 +37,7 @@ struct PoseRecord {
   std::optional<double> error;
   /// Pose that the record describes: the camera's center in the world frame (meters), then the
   /// rotation vector (camera from world, radians).
-  std::array<double, 6> values{};
+  std::array<double, 6> describedPose{};
 
   bool operator==(const PoseRecord&) const = default;
 };
@@ -52,30 +52,31 @@ struct CameraRecord {
   bool operator==(const CameraRecord&) const = default;
 };
 
-/// A distance in the room, in meters: `measured` by the user, for example with a tape, and `found`
-/// from clicks on its two ends in the images.
+/// A distance in the room, in meters: measured by the user, for example with a tape, and computed
+/// with the calibration from clicks on its two ends in the images.
 struct LengthCheck {
-  double measured = 0.0;
-  double found = 0.0;
+  double measuredLength = 0.0;
+  double calibratedLength = 0.0;
 
   bool operator==(const LengthCheck&) const = default;
 };
 
 /// How the world frame of a project was determined, and how accurate it is.
 struct WorldRecord {
-  std::optional<CalibrationOrigin> scale; ///< input that determined the scale; empty if unknown
+  /// Input that determined the scale; empty if unknown.
+  std::optional<CalibrationOrigin> scaleOrigin;
   /// Relative error of the scale: with a probability of 95 %, the true error is at most this value.
   /// Empty if unknown.
   std::optional<double> scaleError;
   /// Input that determined where the floor is; empty if unknown.
-  std::optional<CalibrationOrigin> floor;
+  std::optional<CalibrationOrigin> floorOrigin;
   /// Error, in meters, that 95 % of the positions measured in the calibrated volume do not exceed.
-  std::optional<double> accuracy;
+  std::optional<double> errorInsideVolume;
   /// Error, in meters, that 95 % of the positions outside the calibrated volume do not exceed, if
   /// at least two cameras see them. The value is extrapolated.
   std::optional<double> errorOutsideVolume;
   /// Comparison of a measured with a calibrated length, if the user made one.
-  std::optional<LengthCheck> check;
+  std::optional<LengthCheck> lengthCheck;
 
   bool operator==(const WorldRecord&) const = default;
 };

@@ -24,27 +24,28 @@ enum class OutputUnit { Meter, Millimeter };
 struct OutputSettings {
   OutputAxes axes = OutputAxes::ZUp;
   OutputUnit unit = OutputUnit::Meter;
-  double rate = 30.0; ///< maximum number of frames sent per second; 0: all frames
-  std::string osc;    ///< receiver of OSC messages as HOST:PORT (UDP)
-  std::string tuio;   ///< receiver of TUIO 1.1 3D cursors as HOST:PORT (UDP)
+  double framesPerSecond = 30.0; ///< maximum number of frames sent per second; 0: all frames
+  std::string oscReceiver;       ///< receiver of OSC messages as HOST:PORT (UDP)
+  std::string tuioReceiver;      ///< receiver of TUIO 1.1 3D cursors as HOST:PORT (UDP)
   /// TCP port on which results are sent as JSON lines; 0: any free port.
-  std::optional<std::uint16_t> tcp;
+  std::optional<std::uint16_t> tcpPort;
   /// Port for WebSocket and the page for browsers; 0: any free port.
-  std::optional<std::uint16_t> websocket;
-  std::string csv;                  ///< file or named pipe for CSV lines; "-": standard output
-  std::string listen = "127.0.0.1"; ///< address of this computer on which the ports are opened
+  std::optional<std::uint16_t> webSocketPort;
+  std::string csvFile; ///< file or named pipe for CSV lines; "-": standard output
+  /// Address of this computer on which the ports are opened.
+  std::string listenAddress = "127.0.0.1";
   /// Secret word that remote commands must contain; empty: remote commands are off. `${NAME}` is
   /// replaced by an environment variable when the outputs are opened.
   std::string token;
 
-  static constexpr double kMaxRate = 1000.0;
+  static constexpr double kMaxFramesPerSecond = 1000.0;
   static constexpr std::size_t kMinTokenBytes = 8;
   static constexpr std::size_t kMaxTokenBytes = 256;
 
   /// Returns whether at least one output is on.
-  bool any() const {
-    return !osc.empty() || !tuio.empty() || !csv.empty() || tcp.has_value() ||
-           websocket.has_value();
+  bool isAnyOn() const {
+    return !oscReceiver.empty() || !tuioReceiver.empty() || !csvFile.empty() ||
+           tcpPort.has_value() || webSocketPort.has_value();
   }
 
   bool operator==(const OutputSettings&) const = default;

@@ -25,9 +25,9 @@ ParameterValues effectiveParameters(const Project& project) {
 }
 
 void addPersonCorrection(Project& project, const PersonCorrection& person) {
-  const auto found =
-      std::ranges::upper_bound(project.people, person.frame, {}, &PersonCorrection::frame);
-  project.people.insert(found, person);
+  const auto found = std::ranges::upper_bound(project.personCorrections, person.frame, {},
+                                              &PersonCorrection::frame);
+  project.personCorrections.insert(found, person);
 }
 
 void addCorrection(Project& project, const PositionCorrection& correction) {
@@ -69,7 +69,7 @@ void removeTarget(Project& project, std::size_t index) {
 void removeCamera(Project& project, std::size_t index) {
   const int removed = static_cast<int>(index);
   project.cameras.erase(project.cameras.begin() + removed);
-  for (MeasuredPoint& point : project.points) {
+  for (MeasuredPoint& point : project.measuredPoints) {
     forgetCamera(point.clicks, removed);
   }
   for (PositionCorrection& correction : project.corrections) {
@@ -83,10 +83,10 @@ void removeCamera(Project& project, std::size_t index) {
       --target.box->camera;
     }
   }
-  std::erase_if(project.people, [&](const PersonCorrection& person) {
+  std::erase_if(project.personCorrections, [&](const PersonCorrection& person) {
     return person.click && person.click->camera == removed;
   });
-  for (PersonCorrection& person : project.people) {
+  for (PersonCorrection& person : project.personCorrections) {
     if (person.click && person.click->camera > removed) {
       --person.click->camera;
     }

@@ -31,17 +31,17 @@ struct ProjectCamera {
   SourceKind source = SourceKind::Simulation;
   std::string location;  ///< absolute path of a video or image folder, device, or address
   int rotateDegrees = 0; ///< clockwise rotation of the images before use: 0, 90, 180 or 270 degrees
-  bool mirrored = false; ///< images are mirrored left to right after the rotation
+  bool isMirrored = false; ///< images are mirrored left to right after the rotation
   /// For a simulated camera: true if the project contains a calibration of this camera. It is then
   /// used instead of the calibration in the scene.
-  bool adjusted = false;
+  bool hasOwnCalibration = false;
   /// Absolute path of an image, video or image folder that shows the scene without any target. The
-  /// file contains images as the camera sends them; `rotateDegrees`, `mirrored` and `crop` are
+  /// file contains images as the camera sends them; `rotateDegrees`, `isMirrored` and `crop` are
   /// applied when it is read. Empty if there is none.
-  std::string backgroundImage = {};
+  std::string backgroundImageFile = {};
   /// Absolute path of a table with the capture time of each image (recordings only). Empty if the
   /// images were taken at regular intervals.
-  std::string times = {};
+  std::string captureTimeFile = {};
   /// Image delay in seconds: each image was captured this long before its time stamp. For each
   /// frame of a recording, the image whose capture time is closest to the time of the frame is
   /// used. Methods that can use capture times correct for the remaining difference.
@@ -49,14 +49,16 @@ struct ProjectCamera {
   /// Identity, format and controls of the device (`source` is Device only).
   DeviceSettings device = {};
   /// How the camera was calibrated, and how accurate the calibration is, as far as this is known.
-  CameraRecord calibrated = {};
+  CameraRecord calibrationRecord = {};
   /// Margins cut off from the images after rotation and mirroring. The calibration is that of the
   /// cropped images.
   ImageMargins crop = {};
 
-  /// Sets `adjusted` if the camera is simulated. Call this function after changing the calibration
-  /// of the camera in the project.
-  void markAdjusted() { adjusted = adjusted || source == SourceKind::Simulation; }
+  /// Sets `hasOwnCalibration` if the camera is simulated. Call this function after changing the
+  /// calibration of the camera in the project.
+  void markCalibrationChanged() {
+    hasOwnCalibration = hasOwnCalibration || source == SourceKind::Simulation;
+  }
 
   /// Returns whether the images come from a live camera, not from a recording or a simulation.
   bool isLive() const { return source == SourceKind::Device || source == SourceKind::Stream; }
@@ -89,7 +91,7 @@ struct PersonCorrection {
   std::optional<Eigen::Vector2d> position = {};
   std::optional<Click> click = {};
   /// False if the person tracked at `position` does not exist. Requires `position`.
-  bool present = true;
+  bool isPresent = true;
 
   bool operator==(const PersonCorrection&) const = default;
 };
@@ -122,21 +124,23 @@ struct Project {
   ParameterValues parameters;
   std::vector<Target> targets;
   std::vector<ProjectCamera> cameras;
-  std::optional<std::filesystem::path> truth; ///< absolute path of truth.csv, the true positions
+  /// Absolute path of truth.csv, the true positions.
+  std::optional<std::filesystem::path> truthFile;
   std::string scene; ///< name or file of the simulated scene; empty if there is none
   std::vector<ProjectMarker> markers; ///< markers in the recording, ordered by frame
   /// Grid drawn over the images while cameras are adjusted by hand.
   std::optional<ReferenceGrid> grid;
-  std::vector<MeasuredPoint> points; ///< points measured in the room and clicked in the images
+  /// Points measured in the room and clicked in the images.
+  std::vector<MeasuredPoint> measuredPoints;
   /// Volume in which targets are searched for; empty: everywhere.
   std::optional<WorldBox> volumeOfInterest;
-  std::vector<PersonCorrection> people; ///< corrections for people, ordered by frame
+  std::vector<PersonCorrection> personCorrections; ///< corrections for people, ordered by frame
   /// Corrections of target positions, ordered by frame.
   std::vector<PositionCorrection> corrections;
   /// Outputs that send results to other programs during a run; they do not affect the results.
   OutputSettings output;
-  WorldRecord calibrated; ///< how floor and scale of the world frame were determined, if known
-  std::string layout;     ///< view layout saved by the window; empty: default layout
+  WorldRecord worldRecord;  ///< how floor and scale of the world frame were determined, if known
+  std::string windowLayout; ///< view layout saved by the window; empty: default layout
 
   bool operator==(const Project&) const = default;
 };

@@ -8,9 +8,9 @@ namespace {
 
 bool sameSource(const ProjectCamera& a, const ProjectCamera& b) {
   return a.camera.name == b.camera.name && a.source == b.source && a.location == b.location &&
-         a.rotateDegrees == b.rotateDegrees && a.mirrored == b.mirrored && a.crop == b.crop &&
-         a.delay == b.delay && a.times == b.times && a.device.identity == b.device.identity &&
-         a.device.format == b.device.format;
+         a.rotateDegrees == b.rotateDegrees && a.isMirrored == b.isMirrored && a.crop == b.crop &&
+         a.delay == b.delay && a.captureTimeFile == b.captureTimeFile &&
+         a.device.identity == b.device.identity && a.device.format == b.device.format;
 }
 
 bool sameControls(const ProjectCamera& a, const ProjectCamera& b) {
@@ -19,8 +19,8 @@ bool sameControls(const ProjectCamera& a, const ProjectCamera& b) {
 
 bool sameCalibration(const ProjectCamera& a, const ProjectCamera& b) {
   ProjectCamera same = a;
-  same.backgroundImage = b.backgroundImage;
-  same.calibrated = b.calibrated;
+  same.backgroundImageFile = b.backgroundImageFile;
+  same.calibrationRecord = b.calibrationRecord;
   same.device = b.device;
   return same == b;
 }
@@ -29,34 +29,35 @@ bool sameCalibration(const ProjectCamera& a, const ProjectCamera& b) {
 
 ProjectChanges changesBetween(const Project& before, const Project& after) {
   ProjectChanges changes;
-  changes.name = before.name != after.name;
-  changes.method = before.method != after.method;
-  changes.seed = before.seed != after.seed;
-  changes.parameters = !changes.method && !(before.parameters == after.parameters);
-  changes.targets = before.targets != after.targets;
-  changes.boxes =
+  changes.nameChanged = before.name != after.name;
+  changes.methodChanged = before.method != after.method;
+  changes.seedChanged = before.seed != after.seed;
+  changes.parametersChanged = !changes.methodChanged && !(before.parameters == after.parameters);
+  changes.targetsChanged = before.targets != after.targets;
+  changes.boxesChanged =
       !std::ranges::equal(before.targets, after.targets, {}, &Target::box, &Target::box);
-  changes.sources = !std::ranges::equal(before.cameras, after.cameras, sameSource) ||
-                    before.framesPerSecond != after.framesPerSecond ||
-                    before.truth != after.truth || before.scene != after.scene;
-  changes.markers = before.markers != after.markers;
-  changes.grid = before.grid != after.grid;
-  changes.volume = before.volumeOfInterest != after.volumeOfInterest;
-  changes.points = before.points != after.points;
-  changes.people = before.people != after.people;
-  changes.corrections = before.corrections != after.corrections;
-  changes.output = before.output != after.output;
-  changes.records = before.calibrated != after.calibrated ||
-                    !std::ranges::equal(before.cameras, after.cameras, {},
-                                        &ProjectCamera::calibrated, &ProjectCamera::calibrated);
-  changes.backgroundImages =
-      !changes.sources &&
-      !std::ranges::equal(before.cameras, after.cameras, {}, &ProjectCamera::backgroundImage,
-                          &ProjectCamera::backgroundImage);
-  changes.controls =
-      !changes.sources && !std::ranges::equal(before.cameras, after.cameras, sameControls);
-  changes.calibration =
-      !changes.sources && !std::ranges::equal(before.cameras, after.cameras, sameCalibration);
+  changes.sourcesChanged = !std::ranges::equal(before.cameras, after.cameras, sameSource) ||
+                           before.framesPerSecond != after.framesPerSecond ||
+                           before.truthFile != after.truthFile || before.scene != after.scene;
+  changes.markersChanged = before.markers != after.markers;
+  changes.gridChanged = before.grid != after.grid;
+  changes.volumeChanged = before.volumeOfInterest != after.volumeOfInterest;
+  changes.pointsChanged = before.measuredPoints != after.measuredPoints;
+  changes.personCorrectionsChanged = before.personCorrections != after.personCorrections;
+  changes.correctionsChanged = before.corrections != after.corrections;
+  changes.outputChanged = before.output != after.output;
+  changes.recordsChanged =
+      before.worldRecord != after.worldRecord ||
+      !std::ranges::equal(before.cameras, after.cameras, {}, &ProjectCamera::calibrationRecord,
+                          &ProjectCamera::calibrationRecord);
+  changes.backgroundImagesChanged =
+      !changes.sourcesChanged &&
+      !std::ranges::equal(before.cameras, after.cameras, {}, &ProjectCamera::backgroundImageFile,
+                          &ProjectCamera::backgroundImageFile);
+  changes.controlsChanged =
+      !changes.sourcesChanged && !std::ranges::equal(before.cameras, after.cameras, sameControls);
+  changes.calibrationChanged = !changes.sourcesChanged &&
+                               !std::ranges::equal(before.cameras, after.cameras, sameCalibration);
   return changes;
 }
 

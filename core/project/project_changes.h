@@ -8,31 +8,33 @@ namespace dewpoint::project {
 /// Differences between two states of a project. A field is true if that part of the project
 /// differs.
 struct ProjectChanges {
-  bool name = false;
-  bool method = false;
-  bool seed = false;
-  bool parameters = false;  ///< parameter values; never true if the method differs
-  bool targets = false;     ///< number of targets, their order, names, colors or radii
-  bool boxes = false;       ///< image targets, for methods that track bounding boxes
-  bool calibration = false; ///< camera calibration; never true if `sources` is true
-  bool markers = false;
-  bool grid = false;             ///< the reference grid
-  bool volume = false;           ///< the volume of interest
-  bool points = false;           ///< measured points and their clicks
-  bool people = false;           ///< corrections for people
-  bool corrections = false;      ///< corrections of target positions
-  bool backgroundImages = false; ///< background images; never true if `sources` is true
-  bool controls = false;         ///< controls of devices; never true if `sources` is true
-  bool records = false;          ///< records of how the calibration was obtained
-  bool output = false;           ///< settings of the outputs to other programs
-  bool sources = false;          ///< the set of cameras, and the sources of images and ground truth
+  bool nameChanged = false;
+  bool methodChanged = false;
+  bool seedChanged = false;
+  bool parametersChanged = false;  ///< parameter values; never true if the method differs
+  bool targetsChanged = false;     ///< number of targets, their order, names, colors or radii
+  bool boxesChanged = false;       ///< image targets, for methods that track bounding boxes
+  bool calibrationChanged = false; ///< camera calibration; never true if `sourcesChanged` is true
+  bool markersChanged = false;
+  bool gridChanged = false;              ///< the reference grid
+  bool volumeChanged = false;            ///< the volume of interest
+  bool pointsChanged = false;            ///< measured points and their clicks
+  bool personCorrectionsChanged = false; ///< corrections for people
+  bool correctionsChanged = false;       ///< corrections of target positions
+  /// Background images; never true if `sourcesChanged` is true.
+  bool backgroundImagesChanged = false;
+  bool controlsChanged = false; ///< controls of devices; never true if `sourcesChanged` is true
+  bool recordsChanged = false;  ///< records of how the calibration was obtained
+  bool outputChanged = false;   ///< settings of the outputs to other programs
+  bool sourcesChanged = false;  ///< the set of cameras, and the sources of images and ground truth
 
-  /// Returns whether any field is true. `boxes` is not tested, because `targets` is also true if
-  /// `boxes` is.
-  bool any() const {
-    return name || method || seed || parameters || targets || calibration || sources || markers ||
-           grid || points || people || corrections || backgroundImages || volume || records ||
-           output || controls;
+  /// Returns whether any field is true. `boxesChanged` is not tested, because `targetsChanged` is
+  /// also true if `boxesChanged` is.
+  bool hasAny() const {
+    return nameChanged || methodChanged || seedChanged || parametersChanged || targetsChanged ||
+           calibrationChanged || sourcesChanged || markersChanged || gridChanged || pointsChanged ||
+           personCorrectionsChanged || correctionsChanged || backgroundImagesChanged ||
+           volumeChanged || recordsChanged || outputChanged || controlsChanged;
   }
 };
 

@@ -84,9 +84,9 @@ Status checkCorrection(const PositionCorrection& correction, const std::string& 
     return wrong(".tracked_from", "a later frame than that of the correction is expected");
   }
   // The cameras of a scene come later, when it is opened.
-  const bool areKnown =
-      project.scene.empty() ||
-      (!project.cameras.empty() && std::ranges::none_of(project.cameras, &ProjectCamera::adjusted));
+  const bool areKnown = project.scene.empty() ||
+                        (!project.cameras.empty() &&
+                         std::ranges::none_of(project.cameras, &ProjectCamera::hasOwnCalibration));
   std::set<int> seen;
   for (std::size_t k = 0; k < correction.clicks.size(); ++k) {
     const PointClick& click = correction.clicks[k];

@@ -84,7 +84,7 @@ void readDeviceSettings(TableReader& reader, const std::string& file, const std:
   DeviceSettings& settings = camera.device;
   reader.readText("pixel_format", settings.format.pixelFormat);
   readSize(reader, settings.format);
-  reader.readNumber("rate", settings.format.rate, kLowestRate, kHighestRate);
+  reader.readNumber("rate", settings.format.frameRate, kLowestRate, kHighestRate);
   if (const toml::table* table = reader.findTable("identity")) {
     TableReader identity(*table, file, prefix + "identity.");
     for (const auto& [key, text] : identityKeys(settings.identity)) {
@@ -112,8 +112,8 @@ std::string deviceFormatText(const DeviceFormat& format) {
     text += fmt::format("size = [{}, {}]   # requested from the device, before the rotation\n",
                         format.width, format.height);
   }
-  if (format.rate > 0.0) {
-    text += fmt::format("rate = {}   # images per second\n", format.rate);
+  if (format.frameRate > 0.0) {
+    text += fmt::format("rate = {}   # images per second\n", format.frameRate);
   }
   return text;
 }
@@ -144,7 +144,8 @@ Status checkDeviceSettings(const DeviceSettings& settings) {
   if (!hasSize && (format.width != 0 || format.height != 0)) {
     return bad("size", "a positive width and height are expected");
   }
-  if (format.rate != 0.0 && !(format.rate >= kLowestRate && format.rate <= kHighestRate)) {
+  if (format.frameRate != 0.0 &&
+      !(format.frameRate >= kLowestRate && format.frameRate <= kHighestRate)) {
     return bad("rate",
                fmt::format("{} to {} images per second are expected", kLowestRate, kHighestRate));
   }

@@ -30,7 +30,7 @@ std::vector<ProjectFile> runInputFiles(const Project& project) {
     if (camera.source == SourceKind::Video || camera.source == SourceKind::Images) {
       add(camera.location);
     }
-    for (const std::string& file : {camera.times, camera.backgroundImage}) {
+    for (const std::string& file : {camera.captureTimeFile, camera.backgroundImageFile}) {
       if (!file.empty()) {
         add(file);
       }
@@ -50,9 +50,9 @@ std::string runInputText(const Project& project) {
   Project run = project;
   run.markers.clear();
   run.grid.reset();
-  run.points.clear();
-  run.truth.reset();
-  run.layout.clear();
+  run.measuredPoints.clear();
+  run.truthFile.reset();
+  run.windowLayout.clear();
   run.output = {};
   return projectText(run, folderOf(project));
 }

@@ -90,10 +90,10 @@ void readSource(TableReader& reader, const ProjectPaths& place, ProjectCamera& c
   if (camera.rotateDegrees % 90 != 0) {
     reader.fail(ErrorCode::BadValue, "rotate", "0, 90, 180 or 270 degrees are expected");
   }
-  reader.readBoolean("mirror", camera.mirrored);
+  reader.readBoolean("mirror", camera.isMirrored);
   readCrop(reader, camera.crop);
   reader.readNumber("late_by", camera.delay, -kMaxDelay, kMaxDelay);
-  camera.times = readPath(reader, "times", place).string();
+  camera.captureTimeFile = readPath(reader, "times", place).string();
 }
 
 bool hasSource(const toml::table& camera) {
@@ -112,11 +112,11 @@ ProjectCamera readCamera(const toml::table& table, const std::string& file,
   reader.require("name");
   reader.readText("name", name);
   if (ofScene) {
-    camera.adjusted = true; // its images are the scene's
+    camera.hasOwnCalibration = true; // its images are the scene's
   } else {
     readSource(reader, place, camera);
   }
-  camera.backgroundImage = readPath(reader, "empty_room", place).string();
+  camera.backgroundImageFile = readPath(reader, "empty_room", place).string();
   if (const toml::table* calibration = reader.findTable("calibration")) {
     auto read = cameraFromToml(*calibration, file, prefix + "calibration.");
     if (read) {
@@ -137,7 +137,7 @@ ProjectCamera readCamera(const toml::table& table, const std::string& file,
   }
   camera.camera.name = name;
   readDeviceSettings(reader, file, prefix, camera);
-  camera.calibrated = readCameraRecord(reader, file, prefix);
+  camera.calibrationRecord = readCameraRecord(reader, file, prefix);
   error = reader.finish();
   return camera;
 }
@@ -181,7 +181,7 @@ void readHead(TableReader& reader, const ProjectPaths& place, Project& project) 
   reader.readInteger("seed", project.seed, 0, std::numeric_limits<std::int64_t>::max());
   reader.readNumber("frames_per_second", project.framesPerSecond, 0.0, 100000.0);
   if (const path truth = readPath(reader, "truth", place); !truth.empty()) {
-    project.truth = truth;
+    project.truthFile = truth;
   }
   reader.readText("scene", project.scene);
   if (project.scene.ends_with(".toml")) {
@@ -239,7 +239,7 @@ void readMarkers(TableReader& reader, const std::string& file, Project& project)
 void readWindow(TableReader& reader, const std::string& file, Project& project) {
   if (const toml::table* table = reader.findTable("window")) {
     TableReader window(*table, file, "window.");
-    window.readText("layout", project.layout);
+    window.readText("layout", project.windowLayout);
     reader.recordError(window.finish());
   }
 }
@@ -267,7 +267,7 @@ Result<Project> loadProject(const std::filesystem::path& file, const MovedFiles&
   readRoom(reader, file.string(), project);
   readPeople(reader, file.string(), project);
   readCorrections(reader, file.string(), project);
-  project.calibrated = readWorldRecord(reader, file.string());
+  project.worldRecord = readWorldRecord(reader, file.string());
   readOutput(reader, file.string(), project);
   readWindow(reader, file.string(), project);
   if (auto error = reader.finish()) {

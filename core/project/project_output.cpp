@@ -94,13 +94,13 @@ void readOutput(TableReader& reader, const std::string& file, Project& project) 
   TableReader one(*table, file, "output.");
   readWord(one, "axes", kOutputAxesKeys, output.axes);
   readWord(one, "unit", kOutputUnitKeys, output.unit);
-  one.readNumber("rate", output.rate, 0.0, OutputSettings::kMaxRate);
-  one.readText("osc", output.osc);
-  one.readText("tuio", output.tuio);
-  readPort(one, "tcp", output.tcp);
-  readPort(one, "websocket", output.websocket);
-  one.readText("csv", output.csv);
-  one.readText("listen", output.listen);
+  one.readNumber("rate", output.framesPerSecond, 0.0, OutputSettings::kMaxFramesPerSecond);
+  one.readText("osc", output.oscReceiver);
+  one.readText("tuio", output.tuioReceiver);
+  readPort(one, "tcp", output.tcpPort);
+  readPort(one, "websocket", output.webSocketPort);
+  one.readText("csv", output.csvFile);
+  one.readText("listen", output.listenAddress);
   one.readText("token", output.token);
   reader.recordError(one.finish());
 }
@@ -116,35 +116,39 @@ std::string outputText(const OutputSettings& output) {
   };
   put("axes", output.axes != unset.axes, tomlQuoted(nameOf(output.axes)));
   put("unit", output.unit != unset.unit, tomlQuoted(nameOf(output.unit)));
-  put("rate", output.rate != unset.rate, fmt::format("{}   # frames per second", output.rate));
-  put("osc", !output.osc.empty(), tomlQuoted(output.osc));
-  put("tuio", !output.tuio.empty(), tomlQuoted(output.tuio));
-  put("tcp", output.tcp.has_value(), fmt::format("{}", output.tcp.value_or(0)));
-  put("websocket", output.websocket.has_value(), fmt::format("{}", output.websocket.value_or(0)));
-  put("csv", !output.csv.empty(), tomlQuoted(output.csv));
-  put("listen", output.listen != unset.listen, tomlQuoted(output.listen));
+  put("rate", output.framesPerSecond != unset.framesPerSecond,
+      fmt::format("{}   # frames per second", output.framesPerSecond));
+  put("osc", !output.oscReceiver.empty(), tomlQuoted(output.oscReceiver));
+  put("tuio", !output.tuioReceiver.empty(), tomlQuoted(output.tuioReceiver));
+  put("tcp", output.tcpPort.has_value(), fmt::format("{}", output.tcpPort.value_or(0)));
+  put("websocket", output.webSocketPort.has_value(),
+      fmt::format("{}", output.webSocketPort.value_or(0)));
+  put("csv", !output.csvFile.empty(), tomlQuoted(output.csvFile));
+  put("listen", output.listenAddress != unset.listenAddress, tomlQuoted(output.listenAddress));
   put("token", !output.token.empty(), tomlQuoted(output.token));
   return text;
 }
 
 Status checkOutput(const OutputSettings& output) {
-  if (!(output.rate >= 0.0 && output.rate <= OutputSettings::kMaxRate)) {
-    return failure(ErrorCode::BadValue, "", "output.rate",
-                   fmt::format("0 to {} frames per second are expected", OutputSettings::kMaxRate));
+  if (!(output.framesPerSecond >= 0.0 &&
+        output.framesPerSecond <= OutputSettings::kMaxFramesPerSecond)) {
+    return failure(
+        ErrorCode::BadValue, "", "output.rate",
+        fmt::format("0 to {} frames per second are expected", OutputSettings::kMaxFramesPerSecond));
   }
-  for (const auto& [key, address] :
-       {std::pair("output.osc", output.osc), std::pair("output.tuio", output.tuio)}) {
+  for (const auto& [key, address] : {std::pair("output.osc", output.oscReceiver),
+                                     std::pair("output.tuio", output.tuioReceiver)}) {
     if (const auto parsed = parseOutputAddress(address); !address.empty() && !parsed) {
       return failure(ErrorCode::BadValue, "", key, parsed.error().detail);
     }
   }
-  if (output.listen.empty()) {
+  if (output.listenAddress.empty()) {
     return failure(ErrorCode::BadValue, "", "output.listen",
                    "an address of this computer is expected, such as 127.0.0.1 or 0.0.0.0");
   }
-  if (output.tcp && output.tcp == output.websocket && *output.tcp != 0) {
+  if (output.tcpPort && output.tcpPort == output.webSocketPort && *output.tcpPort != 0) {
     return failure(ErrorCode::BadValue, "", "output.websocket",
-                   fmt::format("port {} is also that of tcp", *output.tcp));
+                   fmt::format("port {} is also that of tcp", *output.tcpPort));
   }
   const std::size_t bytes = output.token.size();
   if (bytes > 0 &&

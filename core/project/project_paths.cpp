@@ -24,8 +24,8 @@ Result<std::string> expandVariables(std::string text) {
 
 std::filesystem::path ProjectPaths::pathOf(const std::string& name) const {
   const std::filesystem::path named = (folder / name).lexically_normal();
-  const auto found = moved.find(named);
-  return found != moved.end() ? found->second : named;
+  const auto found = movedFiles.find(named);
+  return found != movedFiles.end() ? found->second : named;
 }
 
 } // namespace dewpoint::project

@@ -16,7 +16,7 @@ Result<std::string> expandVariables(std::string text);
 /// Base folder for the relative paths in a project file, and the current locations of moved files.
 struct ProjectPaths {
   std::filesystem::path folder;
-  MovedFiles moved;
+  MovedFiles movedFiles;
 
   /// Returns the absolute path of a file whose `name` is given in the project, or its current
   /// location if the file has moved.

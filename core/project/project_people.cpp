@@ -32,7 +32,7 @@ PersonCorrection readPerson(const toml::table& table, const std::string& file, s
     click.camera = camera - 1;
     person.click = click;
   }
-  reader.readBoolean("present", person.present);
+  reader.readBoolean("present", person.isPresent);
   error = reader.finish();
   return person;
 }
@@ -60,7 +60,7 @@ Status checkPerson(const PersonCorrection& person, const std::string& field,
     if (!person.click->pixel.allFinite()) {
       return wrong(".pixel", "finite numbers are expected");
     }
-    if (!person.present) {
+    if (!person.isPresent) {
       return wrong(".present", "a removed person needs a position, not a pixel");
     }
   }
@@ -72,15 +72,16 @@ Status checkPerson(const PersonCorrection& person, const std::string& field,
 void readPeople(TableReader& reader, const std::string& file, Project& project) {
   std::optional<Error> error;
   for (const toml::table* table : reader.findTables("person")) {
-    project.people.push_back(readPerson(*table, file, project.people.size(), error));
+    project.personCorrections.push_back(
+        readPerson(*table, file, project.personCorrections.size(), error));
     reader.recordError(error);
   }
-  std::ranges::stable_sort(project.people, {}, &PersonCorrection::frame);
+  std::ranges::stable_sort(project.personCorrections, {}, &PersonCorrection::frame);
 }
 
 std::string peopleText(const Project& project) {
   std::string text;
-  for (const PersonCorrection& person : project.people) {
+  for (const PersonCorrection& person : project.personCorrections) {
     text += fmt::format("\n[[person]]\nframe = {}\n", person.frame);
     if (person.position) {
       text += fmt::format("place = [{}, {}]\n", person.position->x(), person.position->y());
@@ -89,14 +90,15 @@ std::string peopleText(const Project& project) {
       text += fmt::format("camera = {}\npixel = [{}, {}]\n", person.click->camera + 1,
                           person.click->pixel.x(), person.click->pixel.y());
     }
-    text += person.present ? "" : "present = false\n";
+    text += person.isPresent ? "" : "present = false\n";
   }
   return text;
 }
 
 Status checkPeople(const Project& project) {
-  for (std::size_t k = 0; k < project.people.size(); ++k) {
-    if (auto good = checkPerson(project.people[k], fmt::format("person {}", k + 1), project);
+  for (std::size_t k = 0; k < project.personCorrections.size(); ++k) {
+    if (auto good =
+            checkPerson(project.personCorrections[k], fmt::format("person {}", k + 1), project);
         !good) {
       return good;
     }

@@ -63,16 +63,16 @@ CameraRecord readCameraRecord(TableReader& camera, const std::string& file,
     lens.origin = *origin;
     lens.error = readNumber(reader, "lens_error");
     reader.require("lens_of");
-    reader.readNumbers("lens_of", lens.values.data(), lens.values.size(), -kLargestNumber,
-                       kLargestNumber);
+    reader.readNumbers("lens_of", lens.describedIntrinsics.data(), lens.describedIntrinsics.size(),
+                       -kLargestNumber, kLargestNumber);
   }
   if (const auto origin = readOrigin(reader, "pose")) {
     PoseRecord& pose = record.pose.emplace();
     pose.origin = *origin;
     pose.error = readNumber(reader, "pose_error");
     reader.require("pose_of");
-    reader.readNumbers("pose_of", pose.values.data(), pose.values.size(), -kLargestNumber,
-                       kLargestNumber);
+    reader.readNumbers("pose_of", pose.describedPose.data(), pose.describedPose.size(),
+                       -kLargestNumber, kLargestNumber);
   }
   camera.recordError(reader.finish());
   return record;
@@ -83,12 +83,12 @@ std::string cameraRecordText(const CameraRecord& record) {
   if (record.lens) {
     text += originText("lens", record.lens->origin) +
             numberLine("lens_error", record.lens->error, "pixels") +
-            fmt::format("lens_of = [{}]\n", fmt::join(record.lens->values, ", "));
+            fmt::format("lens_of = [{}]\n", fmt::join(record.lens->describedIntrinsics, ", "));
   }
   if (record.pose) {
     text += originText("pose", record.pose->origin) +
             numberLine("pose_error", record.pose->error, "meters") +
-            fmt::format("pose_of = [{}]\n", fmt::join(record.pose->values, ", "));
+            fmt::format("pose_of = [{}]\n", fmt::join(record.pose->describedPose, ", "));
   }
   return text.empty() ? text : "[camera.calibrated]   # where these numbers come from\n" + text;
 }
@@ -100,15 +100,15 @@ WorldRecord readWorldRecord(TableReader& project, const std::string& file) {
     return record;
   }
   TableReader reader(*table, file, "calibrated.");
-  record.scale = readOrigin(reader, "scale");
+  record.scaleOrigin = readOrigin(reader, "scale");
   record.scaleError = readNumber(reader, "scale_error");
-  record.floor = readOrigin(reader, "floor");
-  record.accuracy = readNumber(reader, "accuracy");
+  record.floorOrigin = readOrigin(reader, "floor");
+  record.errorInsideVolume = readNumber(reader, "accuracy");
   record.errorOutsideVolume = readNumber(reader, "accuracy_outside");
   if (reader.has("length")) {
     std::array<double, 2> length{};
     reader.readNumbers("length", length.data(), length.size(), 0.0, kLargestNumber);
-    record.check = {length[0], length[1]};
+    record.lengthCheck = {length[0], length[1]};
   }
   project.recordError(reader.finish());
   return record;
@@ -116,19 +116,19 @@ WorldRecord readWorldRecord(TableReader& project, const std::string& file) {
 
 std::string worldRecordText(const WorldRecord& record) {
   std::string text;
-  if (record.scale) {
-    text += originText("scale", *record.scale) +
+  if (record.scaleOrigin) {
+    text += originText("scale", *record.scaleOrigin) +
             numberLine("scale_error", record.scaleError, "as a fraction, 95 %");
   }
-  if (record.floor) {
-    text += originText("floor", *record.floor);
+  if (record.floorOrigin) {
+    text += originText("floor", *record.floorOrigin);
   }
-  text += numberLine("accuracy", record.accuracy, "meters, 95 %") +
+  text += numberLine("accuracy", record.errorInsideVolume, "meters, 95 %") +
           numberLine("accuracy_outside", record.errorOutsideVolume,
                      "meters, 95 %, outside the calibrated volume");
-  if (record.check) {
+  if (record.lengthCheck) {
     text += fmt::format("length = [{}, {}]   # meters: measured with a tape, found in the images\n",
-                        record.check->measured, record.check->found);
+                        record.lengthCheck->measuredLength, record.lengthCheck->calibratedLength);
   }
   return text.empty() ? text : "\n[calibrated]   # where floor and scale come from\n" + text;
 }

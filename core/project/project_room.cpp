@@ -29,7 +29,7 @@ ReferenceGrid readGrid(const toml::table& table, const std::string& file,
   reader.readNumbers("size", grid.size.data(), 3, 0.0, kLargest);
   reader.readNumber("step", grid.step, 0.0, kLargest);
   reader.readNumbers("origin", grid.origin.data(), 3, -kLargest, kLargest);
-  reader.readNumber("turn", grid.turn, -100.0, 100.0);
+  reader.readNumber("turn", grid.rotationAngle, -100.0, 100.0);
   error = reader.finish();
   return grid;
 }
@@ -103,8 +103,8 @@ Status checkPoint(const MeasuredPoint& point, std::size_t index, const Project& 
   // The cameras of a scene come later, when it is opened.
   const int cameras =
       project.cameras.empty() ? int{limits::kMaxCameras} : static_cast<int>(project.cameras.size());
-  const bool sceneOpen =
-      project.scene.empty() || std::ranges::none_of(project.cameras, &ProjectCamera::adjusted);
+  const bool sceneOpen = project.scene.empty() ||
+                         std::ranges::none_of(project.cameras, &ProjectCamera::hasOwnCalibration);
   std::set<int> seen;
   for (const PointClick& click : point.clicks) {
     if (click.camera < 0 || (sceneOpen && click.camera >= cameras)) {
@@ -135,7 +135,7 @@ void readRoom(TableReader& reader, const std::string& file, Project& project) {
     reader.recordError(error);
   }
   for (const toml::table* table : reader.findTables("point")) {
-    project.points.push_back(readPoint(*table, file, project.points.size(), error));
+    project.measuredPoints.push_back(readPoint(*table, file, project.measuredPoints.size(), error));
     reader.recordError(error);
   }
 }
@@ -154,9 +154,9 @@ std::string roomText(const Project& project) {
     text += fmt::format("\n[grid]   # meters, radians\nkind = \"{}\"\nsize = [{}, {}, {}]\n"
                         "step = {}\norigin = [{}, {}, {}]\nturn = {}\n",
                         kind->first, grid.size.x(), grid.size.y(), grid.size.z(), grid.step,
-                        grid.origin.x(), grid.origin.y(), grid.origin.z(), grid.turn);
+                        grid.origin.x(), grid.origin.y(), grid.origin.z(), grid.rotationAngle);
   }
-  for (const MeasuredPoint& point : project.points) {
+  for (const MeasuredPoint& point : project.measuredPoints) {
     text += fmt::format("\n[[point]]\nname = {}\nworld = [{}, {}, {}]\n", tomlQuoted(point.name),
                         point.world.x(), point.world.y(), point.world.z());
     for (const PointClick& click : point.clicks) {
@@ -182,8 +182,8 @@ Status checkRoom(const Project& project) {
     }
   }
   std::set<std::string> names;
-  for (std::size_t k = 0; k < project.points.size(); ++k) {
-    const MeasuredPoint& point = project.points[k];
+  for (std::size_t k = 0; k < project.measuredPoints.size(); ++k) {
+    const MeasuredPoint& point = project.measuredPoints[k];
     if (point.name.empty() || !names.insert(point.name).second) {
       return failure(ErrorCode::BadValue, "", fmt::format("point {}.name", k + 1),
                      point.name.empty() ? "the name is empty"

@@ -44,7 +44,7 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
   if (camera.rotateDegrees != 0) {
     text += fmt::format("rotate = {}   # degrees clockwise\n", camera.rotateDegrees);
   }
-  if (camera.mirrored) {
+  if (camera.isMirrored) {
     text += "mirror = true   # left to right, after the rotation\n";
   }
   if (const ImageMargins& crop = camera.crop; !crop.isZeroOnAllSides()) {
@@ -54,14 +54,16 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
   if (camera.delay != 0.0) {
     text += fmt::format("late_by = {}   # delay of its images in seconds\n", camera.delay);
   }
-  if (!camera.times.empty()) {
-    text += "times = " + storedPath(camera.times, folder) + "   # when each image was taken\n";
+  if (!camera.captureTimeFile.empty()) {
+    text += "times = " + storedPath(camera.captureTimeFile, folder) +
+            "   # when each image was taken\n";
   }
-  if (!camera.backgroundImage.empty()) {
-    text += "empty_room = " + storedPath(camera.backgroundImage, folder) + "\n";
+  if (!camera.backgroundImageFile.empty()) {
+    text += "empty_room = " + storedPath(camera.backgroundImageFile, folder) + "\n";
   }
   return text + "[camera.calibration]   # pixels, radians, meters; camera from world\n" +
-         cameraToToml(camera.camera, RotationForm::Matrix) + cameraRecordText(camera.calibrated) +
+         cameraToToml(camera.camera, RotationForm::Matrix) +
+         cameraRecordText(camera.calibrationRecord) +
          (isDevice ? deviceTablesText(camera.device) : "");
 }
 
@@ -106,8 +108,8 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
   if (project.framesPerSecond > 0.0 && project.scene.empty()) {
     text += fmt::format("frames_per_second = {}\n", project.framesPerSecond);
   }
-  if (project.truth) {
-    text += "truth = " + storedPath(*project.truth, folder) + "\n";
+  if (project.truthFile) {
+    text += "truth = " + storedPath(*project.truthFile, folder) + "\n";
   }
   if (!project.scene.empty()) {
     text += "scene = " +
@@ -120,7 +122,7 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
     text += targetText(target);
   }
   for (const auto& camera : project.cameras) {
-    if (camera.source != SourceKind::Simulation || camera.adjusted) {
+    if (camera.source != SourceKind::Simulation || camera.hasOwnCalibration) {
       text += cameraText(camera, folder);
     }
   }
@@ -129,13 +131,14 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
         fmt::format("\n[[mark]]\nframe = {}\nname = {}\n", marker.frame, tomlQuoted(marker.name));
   }
   text += roomText(project);
-  text += worldRecordText(project.calibrated);
+  text += worldRecordText(project.worldRecord);
   text += peopleText(project);
   text += correctionsText(project);
   text += outputText(project.output);
-  if (!project.layout.empty()) {
+  if (!project.windowLayout.empty()) {
     text +=
-        "\n[window]   # how its views were laid out\nlayout = " + tomlQuoted(project.layout) + "\n";
+        "\n[window]   # how its views were laid out\nlayout = " + tomlQuoted(project.windowLayout) +
+        "\n";
   }
   return text;
 }

@@ -68,9 +68,9 @@ ColorSample readSample(const toml::table& table, const std::string& file, std::s
   sample.y = place[1];
   sample.width = place[2];
   sample.height = place[3];
-  reader.readBoolean("excluded", sample.excluded);
-  reader.readBoolean("found", sample.found);
-  reader.readInteger("area", sample.area, 0, std::numeric_limits<int>::max());
+  reader.readBoolean("excluded", sample.isExcluded);
+  reader.readBoolean("found", sample.isFoundByGeometry);
+  reader.readInteger("area", sample.areaPx, 0, std::numeric_limits<int>::max());
   sample.colors = readColors(reader, "colors");
   error = reader.finish();
   return sample;
@@ -129,13 +129,13 @@ std::string sampleText(const ColorSample& sample) {
   text += sample.isBox() ? fmt::format("box = [{}, {}, {}, {}]   # x, y, width, height\n", sample.x,
                                        sample.y, sample.width, sample.height)
                          : fmt::format("pixel = [{}, {}]\n", sample.x, sample.y);
-  if (sample.excluded) {
+  if (sample.isExcluded) {
     text += "excluded = true\n";
   }
-  if (sample.found) {
+  if (sample.isFoundByGeometry) {
     text += "found = true   # not clicked\n";
   }
-  text += fmt::format("area = {}\ncolors = \"", sample.area);
+  text += fmt::format("area = {}\ncolors = \"", sample.areaPx);
   const char* space = "";
   for (const auto& [blue, green, red] : sample.colors) {
     text += fmt::format("{}{:02x}{:02x}{:02x}", space, red, green, blue);

@@ -43,12 +43,12 @@ struct SetParameters {
   ParameterValues parameters;
 };
 /// Changes the tracking method and tracks the frames again with it. The random seed is kept. If
-/// `from` is set, the results of frames before `from` are kept.
+/// `fromFrame` is set, the results of frames before it are kept.
 struct SetMethod {
   std::string method;
   ParameterValues parameters;
   /// First frame to track again; not set: the first frame of the run.
-  std::optional<std::int64_t> from;
+  std::optional<std::int64_t> fromFrame;
 };
 /// Pauses and shows another frame: an earlier frame with its results or, in a recording, a later
 /// frame that was not tracked yet. The run itself stays at its current frame. The command Play then
@@ -59,11 +59,11 @@ struct ShowFrame {
 };
 /// Shows the current frame of the run again, after ShowFrame.
 struct ReturnToNewestFrame {};
-/// Tracks frames again, from frame `from` up to the frame that the run had reached, as fast as
+/// Tracks frames again, from frame `fromFrame` up to the frame that the run had reached, as fast as
 /// possible, with the current parameters, colors and background images. The former results of these
 /// frames are replaced. Pausing stops the rerun.
 struct Rerun {
-  std::int64_t from = 0;
+  std::int64_t fromFrame = 0;
   /// If true, the frame that is shown does not change: frames are tracked again without being
   /// published, unless this takes noticeably long.
   bool keepView = false;
@@ -71,7 +71,7 @@ struct Rerun {
 /// Turns likelihood maps on or off in snapshots, the copies of the results that the tracking thread
 /// publishes for display.
 struct ShowMaps {
-  bool shown = false;
+  bool isShown = false;
 };
 /// Changes the targets. New colors or radii take effect immediately. If the number of targets
 /// changes, all tracks start from scratch.
@@ -98,17 +98,17 @@ struct SetVolumeOfInterest {
 /// Turns masks on or off in snapshots, the copies of the results that the tracking thread publishes
 /// for display. A mask marks the pixels that have the color of a target, or that are moving.
 struct ShowMasks {
-  bool shown = false;
+  bool isShown = false;
 };
 /// Turns the body shapes of people on or off in snapshots, the copies of the results that the
 /// tracking thread publishes for display.
 struct ShowBodyShapes {
-  bool shown = false;
+  bool isShown = false;
 };
 /// Sets the number of filter threads from the next iteration on. The results do not depend on this
 /// number.
-struct SetThreads {
-  int threads = 0;
+struct SetThreadCount {
+  int threadCount = 0;
 };
 /// Sets the playback speed. The results do not depend on this speed.
 struct SetPace {
@@ -117,13 +117,13 @@ struct SetPace {
 /// Sets whether a calibration board is being shown to live cameras. While a board is being shown,
 /// no camera is reported as moved.
 struct ShowCalibrationBoard {
-  bool shown = false;
+  bool isShown = false;
 };
 /// Replaces all of the user's corrections of people (persons added or removed). Only methods that
 /// find people automatically use these corrections. Past frames are tracked again from the first
 /// frame whose corrections changed.
 struct SetPersonCorrections {
-  std::vector<PersonCorrection> people; ///< ordered by frame
+  std::vector<PersonCorrection> corrections; ///< ordered by frame
 };
 /// Replaces all of the user's corrections of target positions. Methods that cannot apply
 /// corrections ignore them. Past frames are tracked again from the first frame whose corrections
@@ -151,7 +151,8 @@ using Command =
                  command::SetCameras, command::SetBackgroundImages, command::ShowMasks,
                  command::ShowFrame, command::ReturnToNewestFrame, command::Rerun,
                  command::ShowMaps, command::ShowBodyShapes, command::ShowCalibrationBoard,
-                 command::SetPersonCorrections, command::SetThreads, command::SetVolumeOfInterest,
-                 command::SetCorrections, command::SetPace, command::DescribeFrame>;
+                 command::SetPersonCorrections, command::SetThreadCount,
+                 command::SetVolumeOfInterest, command::SetCorrections, command::SetPace,
+                 command::DescribeFrame>;
 
 } // namespace dewpoint::session

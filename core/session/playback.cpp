@@ -59,8 +59,8 @@ std::optional<RerunState> Playback::rerunRange() const {
 
 bool Playback::hasInputEnded() const {
   return std::visit(Overloaded{[](const Ended&) { return true; },
-                               [](const Viewing& viewing) { return viewing.inputEnded; },
-                               [](const Replaying& replaying) { return replaying.inputEnded; },
+                               [](const Viewing& viewing) { return viewing.hadInputEnded; },
+                               [](const Replaying& replaying) { return replaying.hadInputEnded; },
                                [](const auto&) { return false; }},
                     state_);
 }
@@ -69,7 +69,7 @@ void Playback::play() {
   if (std::holds_alternative<Paused>(state_)) {
     state_ = Playing{};
   } else if (const auto* viewing = std::get_if<Viewing>(&state_)) {
-    state_ = Replaying{viewing->frame, viewing->inputEnded};
+    state_ = Replaying{viewing->frame, viewing->hadInputEnded};
   } else if (const auto* holding = std::get_if<Holding>(&state_)) {
     state_ = Rerunning(holding->rerun);
   }
@@ -86,7 +86,7 @@ void Playback::hold() {
   if (std::holds_alternative<Playing>(state_)) {
     state_ = Paused{};
   } else if (const auto* replaying = std::get_if<Replaying>(&state_)) {
-    state_ = Viewing{replaying->frame, replaying->inputEnded};
+    state_ = Viewing{replaying->frame, replaying->hadInputEnded};
   } else if (const auto* rerunning = std::get_if<Rerunning>(&state_)) {
     state_ = Holding{*rerunning};
   }
@@ -123,19 +123,20 @@ void Playback::advance(std::optional<std::int64_t> next, std::int64_t head) {
   }
 }
 
-void Playback::rerun(const RerunState& range, std::optional<std::int64_t> viewAfterwards) {
+void Playback::rerun(const RerunState& range, std::optional<std::int64_t> frameShownAfterwards) {
   Rerunning next{range,
                  hasInputEnded() ? PlayState::Ended
                  : viewedFrame() ? PlayState::Paused
                                  : playState(),
-                 viewAfterwards};
+                 frameShownAfterwards};
   if (const Rerunning* underWay = currentRerun()) {
     next.range.lastFrame = std::max(range.lastFrame, underWay->range.lastFrame);
-    next.afterwards = underWay->afterwards;
-    next.viewAfterwards = viewAfterwards ? viewAfterwards : underWay->viewAfterwards;
+    next.stateAfterwards = underWay->stateAfterwards;
+    next.frameShownAfterwards =
+        frameShownAfterwards ? frameShownAfterwards : underWay->frameShownAfterwards;
   }
   state_ = next;
-  missing_ = Missing::Nothing; // of a snapshot that is over
+  missingContent_ = MissingContent::Nothing; // of a snapshot that is over
   leaveHead(range.firstFrame);
 }
 
@@ -154,37 +155,39 @@ void Playback::restart() {
 }
 
 void Playback::leaveHead(std::int64_t nextFrame) {
-  head_ = Head::None;
+  headProgress_ = HeadProgress::None;
   nextFrame_ = nextFrame;
 }
 
 void Playback::setHead(std::int64_t frame) {
-  head_ = Head::Taken;
+  headProgress_ = HeadProgress::Taken;
   nextFrame_ = frame + 1;
 }
 
 void Playback::noteIteration() {
-  if (head_ == Head::Taken) {
-    head_ = Head::Tracked;
+  if (headProgress_ == HeadProgress::Taken) {
+    headProgress_ = HeadProgress::Tracked;
   }
 }
 
-std::optional<std::int64_t> Playback::noteReached(std::int64_t head) {
+std::optional<std::int64_t> Playback::noteFrameReached(std::int64_t head) {
   const Rerunning* underWay = currentRerun();
   if (underWay == nullptr || head < underWay->range.lastFrame) {
     return std::nullopt;
   }
   const Rerunning done = *underWay;
-  state_ = headState(done.afterwards);
-  return done.viewAfterwards;
+  state_ = headState(done.stateAfterwards);
+  return done.frameShownAfterwards;
 }
 
 void Playback::forgetEstimates() {
-  head_ = head_ == Head::None ? Head::None : Head::Taken;
+  headProgress_ = headProgress_ == HeadProgress::None ? HeadProgress::None : HeadProgress::Taken;
 }
 
 void Playback::notePublished(bool isPreview, bool lacksMaps) {
-  missing_ = isPreview ? Missing::Images : lacksMaps ? Missing::Maps : Missing::Nothing;
+  missingContent_ = isPreview   ? MissingContent::Images
+                    : lacksMaps ? MissingContent::Maps
+                                : MissingContent::Nothing;
 }
 
 } // namespace dewpoint::session

@@ -44,16 +44,16 @@ public:
   struct Ended {};
   struct Viewing {
     std::int64_t frame = 0;
-    bool inputEnded = false; ///< the input had ended before this frame was shown
+    bool hadInputEnded = false; ///< the input had ended before this frame was shown
   };
   struct Replaying {
     std::int64_t frame = 0;
-    bool inputEnded = false;
+    bool hadInputEnded = false;
   };
   struct Rerunning {
     RerunState range;
-    PlayState afterwards = PlayState::Paused;
-    std::optional<std::int64_t> viewAfterwards; ///< frame to show after the rerun
+    PlayState stateAfterwards = PlayState::Paused;
+    std::optional<std::int64_t> frameShownAfterwards; ///< frame to show after the rerun
   };
   struct Holding {
     Rerunning rerun;
@@ -91,9 +91,9 @@ public:
   /// of the run), or if `next` is empty because there is no further frame.
   void advance(std::optional<std::int64_t> next, std::int64_t head);
   /// Starts tracking the frames in `range` again (a rerun). If another rerun is in progress, the
-  /// new one continues to the later of the two last frames. `viewAfterwards` is the frame to show
-  /// after the rerun; if empty, the head (the current frame of the run) is shown.
-  void rerun(const RerunState& range, std::optional<std::int64_t> viewAfterwards);
+  /// new one continues to the later of the two last frames. `frameShownAfterwards` is the frame to
+  /// show after the rerun; if empty, the head (the current frame of the run) is shown.
+  void rerun(const RerunState& range, std::optional<std::int64_t> frameShownAfterwards);
   /// Continues tracking at a frame that was not tracked before.
   void continueTrackingAt(std::int64_t frame);
   /// Notes that the input has ended.
@@ -102,13 +102,13 @@ public:
   void restart();
 
   /// Progress of tracking the head (the current frame of the run).
-  enum class Head {
+  enum class HeadProgress {
     None,    ///< no frame yet
     Taken,   ///< the head is shown, but no iteration was made on it
     Tracked, ///< iterations were made on the head
     Recorded ///< the estimates of the head are in the log
   };
-  Head head() const { return head_; }
+  HeadProgress headProgress() const { return headProgress_; }
   /// Returns the number of the next frame to take from the input.
   std::int64_t nextFrame() const { return nextFrame_; }
   /// Makes this frame the head (the current frame of the run).
@@ -116,25 +116,25 @@ public:
   /// Notes that an iteration was made on the head (the current frame of the run).
   void noteIteration();
   /// Notes that the estimates of the head (the current frame of the run) are in the log.
-  void noteRecorded() { head_ = Head::Recorded; }
+  void noteRecorded() { headProgress_ = HeadProgress::Recorded; }
   /// Notes that the run has reached frame `head`. If this is the last frame of a rerun, ends the
   /// rerun and returns the frame to show afterward. Returns nothing if frame `head` stays shown.
-  std::optional<std::int64_t> noteReached(std::int64_t head);
+  std::optional<std::int64_t> noteFrameReached(std::int64_t head);
   /// Notes that the head (the current frame of the run) is being tracked again from scratch.
   void forgetEstimates();
 
   /// Content that the last snapshot still lacks.
-  enum class Missing {
+  enum class MissingContent {
     Nothing,
     Images, ///< images at full size, because a preview was shown
     Maps    ///< likelihood maps or motion masks of a past frame
   };
-  Missing missing() const { return missing_; }
+  MissingContent missingContent() const { return missingContent_; }
   /// Notes what a published snapshot lacks: full images if it is a preview, and maps or masks if
   /// `lacksMaps` is true.
   void notePublished(bool isPreview, bool lacksMaps);
   /// Notes that the content missing from the last snapshot was published.
-  void noteMissingContentPublished() { missing_ = Missing::Nothing; }
+  void noteMissingContentPublished() { missingContent_ = MissingContent::Nothing; }
 
 private:
   /// Returns the current rerun, including one that is on hold; null if there is none.
@@ -142,9 +142,9 @@ private:
   void leaveHead(std::int64_t nextFrame);
 
   State state_;
-  Head head_ = Head::None;
+  HeadProgress headProgress_ = HeadProgress::None;
   std::int64_t nextFrame_ = 0;
-  Missing missing_ = Missing::Nothing;
+  MissingContent missingContent_ = MissingContent::Nothing;
 };
 
 } // namespace dewpoint::session

@@ -6,24 +6,25 @@
 
 namespace dewpoint::session {
 
-void PlaybackPace::set(const Pace& pace) {
+void PlaybackPace::setPace(const Pace& pace) {
   pace_ = pace;
-  pace_.speed =
-      std::isnan(pace.speed) ? 1.0 : std::clamp(pace.speed, Pace::kSlowest, Pace::kFastest);
+  pace_.speedFactor = std::isnan(pace.speedFactor)
+                          ? 1.0
+                          : std::clamp(pace.speedFactor, Pace::kSlowest, Pace::kFastest);
 }
 
-PlaybackPace::Step PlaybackPace::next(const Situation& situation) const {
+PlaybackPace::Step PlaybackPace::nextStep(const Situation& situation) const {
   if (situation.isAtFullSpeed) {
     return {};
   }
-  const bool isSlow = pace_.slowUntilTracking && !situation.isReplaying && !situation.isHeld &&
-                      situation.iterations < kMaxSlowIterations;
+  const bool isSlow = pace_.slowUntilTracking && !situation.isReplaying &&
+                      !situation.isEveryTargetHeld && situation.iterationCount < kMaxSlowIterations;
   if (isSlow) {
-    return {situation.iterations == 0 ? kFirstIterationDelay
-                                      : Seconds(1.0 / kSlowIterationsPerSecond),
+    return {situation.iterationCount == 0 ? kFirstIterationDelay
+                                          : Seconds(1.0 / kSlowIterationsPerSecond),
             true};
   }
-  return {Seconds(1.0 / (pace_.speed * std::max(1.0, situation.framesPerSecond))), false};
+  return {Seconds(1.0 / (pace_.speedFactor * std::max(1.0, situation.framesPerSecond))), false};
 }
 
 } // namespace dewpoint::session

@@ -10,9 +10,8 @@ namespace dewpoint::session {
 
 /// Playing speed of a recording, chosen by the user.
 struct Pace {
-  double speed = 1.0; ///< factor relative to real time, between kSlowest and kFastest
-  /// If true, iterations are shown one by one until the cameras confirm every target (isHeld()), so
-  /// that the user sees the filters converge.
+  double speedFactor = 1.0; ///< factor relative to real time, between kSlowest and kFastest
+  /// If true, iterations are shown one by one until the cameras confirm every target /// (isConfirmed()), so that the user sees the filters converge.
   bool slowUntilTracking = false;
 
   static constexpr double kSlowest = 1.0 / 30.0;
@@ -43,9 +42,9 @@ public:
     /// True if the session takes its steps as fast as possible, because the cameras are live or
     /// past frames are being tracked again.
     bool isAtFullSpeed = false;
-    bool isReplaying = false;    ///< shows frames that were already tracked
-    std::int64_t iterations = 0; ///< number of iterations in the current run
-    bool isHeld = false;         ///< the cameras confirm every target
+    bool isReplaying = false;        ///< shows frames that were already tracked
+    std::int64_t iterationCount = 0; ///< number of iterations in the current run
+    bool isEveryTargetHeld = false;  ///< the cameras confirm every target
   };
   struct Step {
     Seconds period{};         ///< time from the previous step to this one
@@ -55,10 +54,10 @@ public:
   };
 
   /// Sets the pace. A speed outside kSlowest to kFastest is limited to this range; NaN becomes 1.
-  void set(const Pace& pace);
+  void setPace(const Pace& pace);
   const Pace& pace() const { return pace_; }
   /// Returns the next step: when it is due, and how large it is.
-  Step next(const Situation& situation) const;
+  Step nextStep(const Situation& situation) const;
 
 private:
   Pace pace_;

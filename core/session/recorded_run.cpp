@@ -17,13 +17,13 @@ public:
   ResultCollector(RecordedRun& kept, int particleLimit)
       : kept_(kept), particleLimit_(particleLimit) {}
 
-  Status tracked(const TrackingRun& run) override {
+  Status onFrameTracked(const TrackingRun& run) override {
     std::ranges::move(run.samples(), std::back_inserter(kept_.trajectory.samples));
-    std::ranges::move(run.boxSamples(), std::back_inserter(kept_.boxes.samples));
+    std::ranges::move(run.boxSamples(), std::back_inserter(kept_.boxTrack.samples));
     for (std::size_t k = 0; particleLimit_ > 0 && k < run.targets().size(); ++k) {
       kept_.particles[{run.frames()->index, k}] = particlesOf(run, k, particleLimit_);
     }
-    ++kept_.frames;
+    ++kept_.frameCount;
     return {};
   }
 
@@ -53,7 +53,7 @@ Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
   if (const auto good = checkMethodTargets(project); !good) {
     return tl::make_unexpected(good.error());
   }
-  auto run = TrackingRun::create(project, order.threads, backgroundImages);
+  auto run = TrackingRun::create(project, order.threadCount, backgroundImages);
   if (!run) {
     return tl::make_unexpected(run.error());
   }
@@ -61,36 +61,36 @@ Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
   const Project used = run->definition()->appliedTo(project);
   RecordedRun kept;
   kept.trajectory.header = trajectoryHeader(used);
-  kept.boxes.header = boxTrackHeader(used);
+  kept.boxTrack.header = boxTrackHeader(used);
 
   CameraWatches watches(run->rig());
   ResultCollector keeper(kept, order.particleLimit);
   std::vector<FrameObserver*> observers(order.observers.begin(), order.observers.end());
   observers.insert(observers.end(), {&watches, &keeper});
-  const auto total = order.frames.count(source);
+  const auto total = order.frames.countIn(source);
   bool isWanted = true;
   const Status tracked = trackFrames(source, order.frames, *run, observers, [&] {
-    isWanted = progress(kept.frames, total);
+    isWanted = progress(kept.frameCount, total);
     return isWanted;
   });
-  if (!tracked && kept.frames == 0) {
+  if (!tracked && kept.frameCount == 0) {
     return tl::make_unexpected(tracked.error());
   }
-  kept.finished = tracked && (isWanted || kept.frames == total);
+  kept.isFinished = tracked && (isWanted || kept.frameCount == total);
   if (!tracked) {
     kept.endError = tracked.error();
   }
   for (const Target& target : run->targets()) {
-    kept.targets.push_back(target.name);
+    kept.targetNames.push_back(target.name);
   }
   for (const Error& notice : source.notices()) {
     addNotice(errorSentence(notice), kept.notices);
   }
-  for (const Error& notice : watches.motion().notices()) {
+  for (const Error& notice : watches.motionWatch().notices()) {
     addNotice(errorSentence(notice), kept.notices);
   }
   for (const CameraDisagreement& found :
-       watches.agreement().disagreements(run->definition()->family())) {
+       watches.agreementWatch().disagreements(run->definition()->family())) {
     addNotice(describeDisagreement(found, run->rig()), kept.notices);
   }
   return kept;

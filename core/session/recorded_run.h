@@ -32,20 +32,20 @@ ParticleSample particlesOf(const TrackingRun& run, std::size_t target, int limit
 /// Results of a run, kept in memory.
 struct RecordedRun {
   Trajectory trajectory; ///< trajectory as written by `dewpoint-cli track`; empty for image targets
-  BoxTrack boxes;        ///< bounding boxes; empty unless the method tracks boxes
+  BoxTrack boxTrack;     ///< bounding boxes; empty unless the method tracks boxes
   /// Particles by frame and target index. Contains only the particles that were requested.
   std::map<std::pair<std::int64_t, std::size_t>, ParticleSample> particles;
-  std::vector<std::string> targets; ///< target names, by target index
-  std::int64_t frames = 0;          ///< number of tracked frames
-  bool finished = false;            ///< all requested frames were tracked
-  std::optional<Error> endError;    ///< error that ended the recording after some frames
-  std::vector<std::string> notices; ///< messages about the recording and its cameras
+  std::vector<std::string> targetNames; ///< target names, by target index
+  std::int64_t frameCount = 0;          ///< number of tracked frames
+  bool isFinished = false;              ///< all requested frames were tracked
+  std::optional<Error> endError;        ///< error that ended the recording after some frames
+  std::vector<std::string> notices;     ///< messages about the recording and its cameras
 };
 
 /// Options of recordRun().
 struct RecordRunOptions {
   FrameRange frames;
-  int threads = 1;            ///< number of filter threads; it never affects the result
+  int threadCount = 1;        ///< number of filter threads; it never affects the result
   int particleLimit = 0;      ///< maximum number of particles kept per target and frame; 0: none
   FrameObservers observers{}; ///< receive each tracked frame
 };

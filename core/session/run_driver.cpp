@@ -16,18 +16,18 @@ namespace dewpoint::session {
 
 RunDriver::RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const TruthTable& truth)
     : project_(std::move(inputs.project)), input_(std::move(inputs.source)), tap_(tap), log_(log),
-      current_(RunDefinition::of(project_, inputs.backgroundImages),
-               threadCountForFilter(inputs.threads)),
+      current_(RunDefinition::fromProject(project_, inputs.backgroundImages),
+               threadCountForFilter(inputs.threadCount)),
       watches_(*definition().rig), recorder_(log, truth) {
   replaceRun(definition(), 0);
-  if (input_.exists()) {
-    current_.keepHistory(input_.source(), inputs.historyBytes);
+  if (input_.hasSource()) {
+    current_.keepHistory(input_.source(), inputs.maxHistoryBytes);
   }
-  log_.restart(project(), current_.threads());
+  log_.restart(project(), current_.threadCount());
 }
 
 bool RunDriver::replaceRun(RunDefinition definition, std::int64_t iterations) {
-  const auto replaced = current_.replace(std::move(definition), iterations);
+  const auto replaced = current_.startNewRun(std::move(definition), iterations);
   if (!replaced) {
     note(replaced.error());
   }
@@ -41,14 +41,15 @@ void RunDriver::start() {
 }
 
 Result<FrameSetPtr> RunDriver::nextFrames() {
-  recorder_.begin();
+  recorder_.noteWorkBegin();
   // What a live run goes over again is in the library; when it is through, the cameras go on.
   if (takesFromCameras()) {
     return input_.next();
   }
   const std::int64_t next = playback_.nextFrame();
-  const auto frame = timeTravel().nearest(next);
-  return frame && *frame >= next ? timeTravel().frames(*frame) : Result<FrameSetPtr>(FrameSetPtr());
+  const auto frame = timeTravel().nearestFrame(next);
+  return frame && *frame >= next ? timeTravel().framesAt(*frame)
+                                 : Result<FrameSetPtr>(FrameSetPtr());
 }
 
 bool RunDriver::takeFrame() {
@@ -67,19 +68,19 @@ bool RunDriver::takeFrame() {
   if (!playback_.rerunRange()) {
     tap_.deliver(*taken);
   }
-  current_.begin(*taken);
+  current_.beginFrame(*taken);
   playback_.setHead((*taken)->index);
-  recorder_.noteArrival(takesFromCameras());
+  recorder_.noteFrameTaken(takesFromCameras());
   return true;
 }
 
 void RunDriver::iterateFrame(FrameStep step) {
   // The frame shown first was already taken, but has had no iteration yet.
-  const bool hasWaited = playback_.head() == Playback::Head::Taken;
+  const bool hasWaited = playback_.headProgress() == Playback::HeadProgress::Taken;
   if (hasWaited) {
-    recorder_.resetArrival();
+    recorder_.resetArrivalTime();
   }
-  if (hasWaited || playback_.head() == Playback::Head::Tracked || takeFrame()) {
+  if (hasWaited || playback_.headProgress() == Playback::HeadProgress::Tracked || takeFrame()) {
     const auto isDone = trackFrame(run(), observers_, step);
     if (!isDone) {
       note(isDone.error());
@@ -90,7 +91,7 @@ void RunDriver::iterateFrame(FrameStep step) {
       record();
     }
   }
-  if (const auto again = playback_.noteReached(head())) {
+  if (const auto again = playback_.noteFrameReached(headFrame())) {
     show(*again);
   }
 }
@@ -106,7 +107,7 @@ void RunDriver::advance(bool oneIteration) {
 void RunDriver::play() {
   const auto viewed = playback_.viewedFrame();
   const bool isEnded = std::holds_alternative<Playback::Ended>(playback_.state());
-  if (viewed && *viewed > head()) {
+  if (viewed && *viewed > headFrame()) {
     rerun(*viewed); // from a part that was not tracked yet
   } else if (!isEnded || restart(std::nullopt)) {
     playback_.play();
@@ -127,7 +128,7 @@ void RunDriver::stepIteration() {
   if (!run().frames() && !takeFrame()) {
     return;
   }
-  recorder_.iterated(run(), run().iterateTimed());
+  recorder_.onIteration(run(), run().iterateTimed());
   playback_.noteIteration();
   record();
 }
@@ -135,7 +136,7 @@ void RunDriver::stepIteration() {
 bool RunDriver::restart(std::optional<std::uint64_t> seed) {
   errors_.clear();
   current_.restart(seed);
-  log_.restart(project(), current_.threads());
+  log_.restart(project(), current_.threadCount());
   if (!isLive()) { // live cameras stay where they are; the calibrated place is still known
     watches_.restart();
   }
@@ -165,7 +166,7 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
     other.method = method->method;
     other.parameters = method->parameters;
     const TrackedFrame* last = timeTravel().history().before(from);
-    if (!replaceRun(std::move(other), last != nullptr ? last->totalIterations : 0)) {
+    if (!replaceRun(std::move(other), last != nullptr ? last->totalIterationCount : 0)) {
       return;
     }
     timeTravel().removeCheckpoints();
@@ -189,21 +190,21 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
     return;
   }
   current_.applyLaterChanges();
-  log_.note(from, differences(*before, definition()));
-  log_.change(project());
+  log_.noteSettingsChange(from, differences(*before, definition()));
+  log_.updateProject(project());
 }
 
 bool RunDriver::change(RunDefinition wanted) {
   const bool taken = current_.change(std::move(wanted));
   if (taken) {
-    log_.change(project());
+    log_.updateProject(project());
   }
   return taken;
 }
 
 void RunDriver::setMethod(const command::SetMethod& request) {
-  if (request.from) {
-    rerun(*request.from, &request, true);
+  if (request.fromFrame) {
+    rerun(*request.fromFrame, &request, true);
     return;
   }
   RunDefinition other = definition();
@@ -222,16 +223,16 @@ void RunDriver::setTargets(const std::vector<Target>& targets) {
     return;
   }
   const FrameSetPtr frames = run().frames();
-  if (change(wanted) || !replaceRun(std::move(wanted), run().iterations())) {
+  if (change(wanted) || !replaceRun(std::move(wanted), run().iterationCount())) {
     return;
   }
   // Another number of targets: new beliefs, on the frame that the run stands at.
-  log_.change(project());
+  log_.updateProject(project());
   timeTravel().removeCheckpoints();
   playback_.forgetEstimates();
   if (frames) {
     timeTravel().startTailsAt(frames->index);
-    current_.begin(frames);
+    current_.beginFrame(frames);
   }
 }
 
@@ -243,14 +244,14 @@ void RunDriver::changeBoxes(RunDefinition wanted) {
     log_.changeTargetIndices(numbers, definition().targets.size());
   }
   const auto viewed = playback_.viewedFrame();
-  if ((!from && run().frames()) || from == head()) { // a target may begin in the image shown
-    playback_.head() == Playback::Head::Taken ? iterateFrame() : record();
-  } else if (from && *from < head()) {
+  if ((!from && run().frames()) || from == headFrame()) { // a target may begin in the image shown
+    playback_.headProgress() == Playback::HeadProgress::Taken ? iterateFrame() : record();
+  } else if (from && *from < headFrame()) {
     rerun(*from);
   } else if (from && viewed == from) { // in a part that was not tracked yet
     rerun(*from);
     playback_.pause();
-    if (playback_.head() == Playback::Head::Taken) {
+    if (playback_.headProgress() == Playback::HeadProgress::Taken) {
       iterateFrame();
     }
   }
@@ -285,20 +286,21 @@ RunDriver::replaceCorrections(std::vector<Correction> RunDefinition::*member,
   RunDefinition other = definition();
   other.*member = wanted;
   change(std::move(other));
-  if (!from || *from > head() || !canApply) {
+  if (!from || *from > headFrame() || !canApply) {
     return {};
   }
-  if (*from < head() || !added || playback_.head() != Playback::Head::Recorded) {
+  if (*from < headFrame() || !added ||
+      playback_.headProgress() != Playback::HeadProgress::Recorded) {
     rerun(*from, true);
     return {};
   }
-  std::erase_if(*added, [this](const Correction& one) { return one.frame != head(); });
+  std::erase_if(*added, [this](const Correction& one) { return one.frame != headFrame(); });
   return std::move(*added);
 }
 
 void RunDriver::setPersonCorrections(const std::vector<PersonCorrection>& people) {
-  const auto ofHead = replaceCorrections(&RunDefinition::people, people,
-                                         run().supportsCorrections<PersonPlacing>());
+  const auto ofHead = replaceCorrections(&RunDefinition::personCorrections, people,
+                                         run().supportsCorrections<PersonEditing>());
   for (const PersonCorrection& correction : ofHead) { // the head needs no tracking again
     current_.change(run().effectOf(correction));
   }
@@ -319,11 +321,11 @@ void RunDriver::setCorrections(const std::vector<PositionCorrection>& correction
   }
 }
 
-void RunDriver::setThreads(int wanted) {
+void RunDriver::setThreadCount(int wanted) {
   const int threads = threadCountForFilter(wanted);
-  if (threads != current_.threads()) {
-    current_.setThreads(threads);
-    log_.setThreads(threads);
+  if (threads != current_.threadCount()) {
+    current_.setThreadCount(threads);
+    log_.setThreadCount(threads);
   }
 }
 
@@ -338,28 +340,29 @@ void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSna
     playback_.returnToNewestFrame();
     snapshot.isPast = false;
   }
-  const bool isRecorded = playback_.head() == Playback::Head::Recorded;
+  const bool isRecorded = playback_.headProgress() == Playback::HeadProgress::Recorded;
   builder.fillFromCurrentFrame(run(), current_.history(), isRecorded, snapshot);
 }
 
-void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
+void RunDriver::fillSnapshot(const SnapshotBuilder& builder, bool quickly,
+                             TrackSnapshot& snapshot) {
   SnapshotBuilder::fillFromDefinition(definition(), snapshot);
-  if (current_.exists()) {
+  if (current_.hasRun()) {
     showFrame(builder, quickly, snapshot);
   }
   playback_.notePublished(snapshot.isPreview,
-                          current_.exists() && builder.lacksMaps(run(), snapshot));
+                          current_.hasRun() && builder.lacksMaps(run(), snapshot));
   snapshot.state = playback_.playState();
   snapshot.rerun = playback_.rerunRange();
   snapshot.notices = errors_;
-  snapshot.cameraMotions = watches_.motion().reports();
-  snapshot.disagreements = watches_.agreement().disagreements(snapshot.family);
-  if (input_.exists()) {
+  snapshot.cameraMotions = watches_.motionWatch().reports();
+  snapshot.disagreements = watches_.agreementWatch().disagreements(snapshot.family);
+  if (input_.hasSource()) {
     input_.fillSourceFields(snapshot);
     snapshot.history = timeTravel().state();
   }
-  log_.setNotices(snapshot.notices, input_.time()); // without those below, whose numbers change
-  std::ranges::move(watches_.motion().notices(), std::back_inserter(snapshot.notices));
+  log_.setNotices(snapshot.notices, input_.latestFrameTime()); // without those below, whose numbers change
+  std::ranges::move(watches_.motionWatch().notices(), std::back_inserter(snapshot.notices));
   recorder_.addStatistics(snapshot);
   recorder_.updateOldResults(definition());
   log_.setFinished(playback_.hasInputEnded());

@@ -34,7 +34,7 @@ public:
   RunDriver& operator=(const RunDriver&) = delete;
 
   /// Returns whether both a source of frames and a run (which tracks targets in the frames) exist.
-  bool isReady() const { return current_.exists() && input_.exists(); }
+  bool isReady() const { return current_.hasRun() && input_.hasSource(); }
   /// Takes the first frame from the source and shows it, without tracking targets in it.
   void start();
   const Playback& playback() const { return playback_; }
@@ -42,9 +42,9 @@ public:
   double framesPerSecond() const { return input_.framesPerSecond(); }
   bool isLive() const { return input_.isLive(); }
   /// Returns the number of iterations of the run.
-  std::int64_t iterations() const { return run().iterations(); }
+  std::int64_t iterationCount() const { return run().iterationCount(); }
   /// Returns whether every target is held (confirmed by the cameras); true if there are no targets.
-  bool isHeld() const { return std::ranges::all_of(run().estimates(), tracking::isHeld); }
+  bool isEveryTargetHeld() const { return std::ranges::all_of(run().estimates(), tracking::isConfirmed); }
 
   // Playback.
   void play();
@@ -61,7 +61,7 @@ public:
   void advance(bool oneIteration = false);
 
   // Time travel.
-  void show(std::int64_t frame) { playback_.show(timeTravel().nearest(frame), head()); }
+  void show(std::int64_t frame) { playback_.show(timeTravel().nearestFrame(frame), headFrame()); }
   void returnToNewestFrame() { playback_.returnToNewestFrame(); }
   /// Starts to track past frames again, from frame `from` on. If `keepView` is true, the frame
   /// shown now is shown again afterward.
@@ -83,13 +83,13 @@ public:
   void setCorrections(const std::vector<PositionCorrection>& corrections);
   /// Sets the number of filter threads from the next iteration on; 0 means the default number. The
   /// result does not depend on it.
-  void setThreads(int wanted);
+  void setThreadCount(int wanted);
 
   /// Returns the definition (all settings) with which new frames are tracked.
   const RunDefinition& definition() const { return *current_.definition(); }
   /// Fills in a snapshot of the frame to show. If `quickly` is true, the images of a past frame may
   /// be previews (small images scaled up) when the full images are not available immediately.
-  void fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
+  void fillSnapshot(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
   /// Returns whether the problems of live cameras have changed since the last snapshot; false for
   /// recordings.
   bool haveNoticesChanged() const { return isReady() && isLive() && input_.haveNoticesChanged(); }
@@ -104,7 +104,7 @@ public:
   Status describe(const SnapshotBuilder& builder, std::int64_t frame,
                   const TimeTravel::ShouldContinue& shouldContinue, TrackSnapshot& snapshot) {
     SnapshotBuilder::fillFromDefinition(definition(), snapshot);
-    snapshot.cameraMotions = watches_.motion().reports();
+    snapshot.cameraMotions = watches_.motionWatch().reports();
     snapshot.frameCount = input_.frameCount();
     snapshot.history = timeTravel().state();
     return builder.fillFromAnyFrame(run(), timeTravel(), frame, shouldContinue, snapshot);
@@ -112,7 +112,7 @@ public:
 
 private:
   /// Returns the frame that the run is at; -1 before the first.
-  std::int64_t head() const { return current_.head(); }
+  std::int64_t headFrame() const { return current_.headFrame(); }
   TrackingRun& run() { return current_.run(); }
   const TrackingRun& run() const { return current_.run(); }
   TimeTravel& timeTravel() { return current_.timeTravel(); }
@@ -130,7 +130,7 @@ private:
   bool takeFrame();
   void iterateFrame(FrameStep step = FrameStep::WholeFrame);
   void showNext() {
-    playback_.advance(timeTravel().nextShowable(*playback_.viewedFrame()), head());
+    playback_.advance(timeTravel().nextShowable(*playback_.viewedFrame()), headFrame());
   }
   /// Returns whether the next frame comes from live cameras, not from the past.
   bool takesFromCameras() const { return isLive() && !playback_.rerunRange(); }

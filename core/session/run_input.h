@@ -19,10 +19,11 @@ namespace dewpoint::session {
 /// Used by the tracking thread only.
 class RunInput {
 public:
-  /// Creates the input from `source`. If `source` is null, only exists() and time() may be called.
+  /// Creates the input from `source`. If `source` is null, only hasSource() and latestFrameTime()
+  /// may be called.
   explicit RunInput(std::unique_ptr<FrameSetSource> source) : source_(std::move(source)) {}
 
-  bool exists() const { return source_ != nullptr; }
+  bool hasSource() const { return source_ != nullptr; }
   FrameSetSource& source() { return *source_; }
   bool isLive() const { return source_->isLive(); }
   double framesPerSecond() const { return source_->framesPerSecond(); }
@@ -30,15 +31,15 @@ public:
 
   /// Returns the next frame set of live cameras (FrameSetSource::next()).
   Result<FrameSetPtr> next() { return source_->next(); }
-  /// Goes back to the first frame of the source, and resets time() to 0.
+  /// Goes back to the first frame of the source, and resets latestFrameTime() to 0.
   Status restart() {
     time_ = 0.0;
     return source_->seek(0);
   }
-  /// Updates time() after a frame set was taken from the source.
+  /// Updates latestFrameTime() after a frame set was taken from the source.
   void noteTaken(const FrameSet& taken) { time_ = std::max(time_, seconds(taken.time)); }
   /// Returns the latest time of the frames taken since the last start or restart, in seconds.
-  double time() const { return time_; }
+  double latestFrameTime() const { return time_; }
 
   /// Returns the current problems of live cameras.
   std::vector<Error> notices() const { return source_->notices(); }
@@ -52,7 +53,7 @@ public:
     std::ranges::copy(shownNotices_, std::back_inserter(snapshot.notices));
     snapshot.frameCount = source_->frameCount();
     snapshot.sourceFramesPerSecond = source_->framesPerSecond();
-    snapshot.droppedFrames = source_->droppedFrames();
+    snapshot.droppedFrameCount = source_->droppedFrameCount();
   }
 
 private:

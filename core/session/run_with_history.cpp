@@ -14,14 +14,14 @@ constexpr std::size_t kLiveHistory = std::size_t{1024} << 20;
 
 } // namespace
 
-RunWithHistory::RunWithHistory(RunDefinition definition, int threads)
-    : threads_(threads), definition_(std::make_shared<const RunDefinition>(std::move(definition))) {
-}
+RunWithHistory::RunWithHistory(RunDefinition definition, int threadCount)
+    : threadCount_(threadCount),
+      definition_(std::make_shared<const RunDefinition>(std::move(definition))) {}
 
-Status RunWithHistory::replace(RunDefinition definition, std::int64_t iterations) {
+Status RunWithHistory::startNewRun(RunDefinition definition, std::int64_t iterations) {
   definition.adaptParametersToCameras();
   auto made = std::make_shared<const RunDefinition>(std::move(definition));
-  auto run = TrackingRun::create(made, threads_);
+  auto run = TrackingRun::create(made, threadCount_);
   if (!run) {
     return tl::make_unexpected(run.error());
   }
@@ -36,7 +36,7 @@ void RunWithHistory::keepHistory(FrameSetSource& source, std::size_t bytes) {
   travel_.emplace(source, bytes > 0 ? bytes : usual);
 }
 
-void RunWithHistory::begin(const FrameSetPtr& frames) {
+void RunWithHistory::beginFrame(const FrameSetPtr& frames) {
   travel_->noteFrameBegin(frames, *run_);
   run_->beginFrame(frames);
 }
@@ -65,9 +65,9 @@ Status RunWithHistory::goBack(std::int64_t frame, bool isLive) {
   const History& history = travel_->history();
   const History::Checkpoint* copy = history.checkpointFor(frame);
   const bool knewNothing = history.before(frame) == nullptr &&
-                           (copy != nullptr ? copy->state.iterations == 0 : frame == 0);
+                           (copy != nullptr ? copy->state.iterationCount == 0 : frame == 0);
   if (knewNothing && !isLive) { // live: what was there before may be forgotten
-    return replace(*definition_, 0).map([this] { travel_->removeCheckpoints(); });
+    return startNewRun(*definition_, 0).map([this] { travel_->removeCheckpoints(); });
   }
   const auto reached = travel_->goBack(*run_, frame, [] { return true; });
   return reached ? Status() : Status(tl::make_unexpected(reached.error()));
@@ -80,11 +80,11 @@ void RunWithHistory::applyLaterChanges() {
   }
 }
 
-void RunWithHistory::setThreads(int threads) {
-  threads_ = threads;
-  run_->setThreadCount(threads);
+void RunWithHistory::setThreadCount(int threadCount) {
+  threadCount_ = threadCount;
+  run_->setThreadCount(threadCount);
   if (travel_) {
-    travel_->setThreadCount(threads);
+    travel_->setThreadCount(threadCount);
   }
 }
 

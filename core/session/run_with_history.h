@@ -16,19 +16,19 @@ namespace dewpoint::session {
 /// bit-identical results. Used by the tracking thread only.
 class RunWithHistory {
 public:
-  /// Creates an object without a run. `threads` is the number of filter threads. replace() creates
-  /// the run, and keepHistory() the history.
-  RunWithHistory(RunDefinition definition, int threads);
+  /// Creates an object without a run. `threadCount` is the number of filter threads. startNewRun()
+  /// creates the run, and keepHistory() the history.
+  RunWithHistory(RunDefinition definition, int threadCount);
 
   /// Starts a new run from scratch with another definition. Iterations are counted from
   /// `iterations`. Recorded results are kept. Returns an error, and changes nothing, if the run
   /// cannot be created.
-  Status replace(RunDefinition definition, std::int64_t iterations);
+  Status startNewRun(RunDefinition definition, std::int64_t iterations);
   /// Starts recording the history of the run, whose frames come from `source`. The history uses at
   /// most `bytes` of memory; 0 means the default limit.
   void keepHistory(FrameSetSource& source, std::size_t bytes);
 
-  bool exists() const { return run_.has_value(); }
+  bool hasRun() const { return run_.has_value(); }
   TrackingRun& run() { return *run_; }
   const TrackingRun& run() const { return *run_; }
   TimeTravel& timeTravel() { return *travel_; }
@@ -37,12 +37,12 @@ public:
   const History* history() const { return travel_ ? &travel_->history() : nullptr; }
   /// Returns the definition (all settings) with which new frames are tracked; never null.
   const RunDefinitionPtr& definition() const { return definition_; }
-  int threads() const { return threads_; }
+  int threadCount() const { return threadCount_; }
   /// Returns the number of the current frame of the run; -1 before the first frame.
-  std::int64_t head() const { return run_ && run_->frames() ? run_->frames()->index : -1; }
+  std::int64_t headFrame() const { return run_ && run_->frames() ? run_->frames()->index : -1; }
 
   /// Begins the next frame of the run with these images, and records the images in the history.
-  void begin(const FrameSetPtr& frames);
+  void beginFrame(const FrameSetPtr& frames);
   /// Records the results of the current frame in the history and returns them.
   const TrackedFrame& record() { return travel_->record(*run_); }
   /// Applies another definition (all settings of the run) from the next iteration on; tracks
@@ -59,12 +59,12 @@ public:
   /// Applies, after goBack(), the changes that were made to the run after the restored state. They
   /// take effect in the next frame.
   void applyLaterChanges();
-  void setThreads(int threads);
+  void setThreadCount(int threadCount);
   /// Discards all tracks and the whole history. If `seed` is empty, the previous seed is used.
   void restart(std::optional<std::uint64_t> seed);
 
 private:
-  int threads_;
+  int threadCount_;
   RunDefinitionPtr definition_;
   std::optional<TrackingRun> run_;
   std::optional<TimeTravel> travel_;

@@ -28,11 +28,11 @@ void Session::onSnapshot(std::function<void()> wake) {
   impl_->loop.publisher().onSnapshot(std::move(wake));
 }
 TrackSnapshotPtr Session::newest() const {
-  return impl_->loop.publisher().newest();
+  return impl_->loop.publisher().newestSnapshot();
 }
 LogUpdate<IterationRecord> Session::iterationsSince(std::uint64_t& generation,
                                                     std::size_t& position) const {
-  return impl_->loop.log().since(generation, position);
+  return impl_->loop.log().iterationsSince(generation, position);
 }
 LogUpdate<FrameRecord> Session::framesSince(std::uint64_t& generation,
                                             std::size_t& position) const {
@@ -62,8 +62,8 @@ Result<std::size_t> Session::saveTrajectory(const std::filesystem::path& file) c
 RunRecord Session::record() const {
   auto [project, figures] = impl_->loop.log().runReportData();
   const TrackSnapshotPtr last = newest();
-  figures.droppedFrames = last->droppedFrames;
-  figures.clocks = last->clocks;
+  figures.droppedFrameCount = last->droppedFrameCount;
+  figures.clockEstimates = last->clocks;
   const auto add = [&notices = figures.notices](std::string text) {
     if (std::ranges::find(notices, text) == notices.end()) {
       notices.push_back(std::move(text));
@@ -99,7 +99,7 @@ Status RunRecord::save(const std::filesystem::path& folder) const {
 }
 
 Status RunRecord::saveTables(const std::filesystem::path& folder) const {
-  switch (methodFamily(project.method).tables) {
+  switch (methodFamily(project.method).tableKind) {
   case RunTableKind::Trajectory:
     return writeTrajectory(people.trajectory, folder / "trajectory.csv");
   case RunTableKind::Boxes:
@@ -111,7 +111,7 @@ Status RunRecord::saveTables(const std::filesystem::path& folder) const {
 }
 
 PeopleRecord Session::peopleRecord() const {
-  return {trajectory(), impl_->loop.log().people()};
+  return {trajectory(), impl_->loop.log().peopleFrames()};
 }
 
 void Session::addDrawingTime(double seconds) {
@@ -119,7 +119,7 @@ void Session::addDrawingTime(double seconds) {
 }
 
 void Session::setFrameTap(FrameTap tap) {
-  impl_->loop.tap().set(std::move(tap));
+  impl_->loop.frameTap().set(std::move(tap));
 }
 
 void Session::send(Command command) {

@@ -129,11 +129,11 @@ public:
   void setMasksShown(bool shown) { send(command::ShowMasks{shown}); }
   void setLikelihoodMapsShown(bool shown) { send(command::ShowMaps{shown}); }
   void setBodyShapesShown(bool shown) { send(command::ShowBodyShapes{shown}); }
-  void setFilterThreadCount(int threads) { send(command::SetThreads{threads}); }
+  void setFilterThreadCount(int threads) { send(command::SetThreadCount{threads}); }
   void setPace(const Pace& pace) { send(command::SetPace{pace}); }
   void setCalibrationBoardShown(bool shown) { send(command::ShowCalibrationBoard{shown}); }
-  void setPersonCorrections(const std::vector<PersonCorrection>& people) {
-    send(command::SetPersonCorrections{people});
+  void setPersonCorrections(const std::vector<PersonCorrection>& corrections) {
+    send(command::SetPersonCorrections{corrections});
   }
   void setCorrections(const std::vector<PositionCorrection>& corrections) {
     send(command::SetCorrections{corrections});

@@ -31,10 +31,10 @@ struct SessionInputs {
   std::vector<cv::Mat> backgroundImages = {};
   /// Memory limit, in bytes, for the data needed to go back in the run: images, particles, and
   /// copies of the tracker. 0: 1 GB for live cameras, half of that for recordings.
-  std::size_t historyBytes = 0;
+  std::size_t maxHistoryBytes = 0;
   /// Initial number of filter threads; it never changes the result. 0: the default,
   /// base::threadCountForFilter().
-  int threads = 0;
+  int threadCount = 0;
   /// Encoded images of each live camera, in project order, which TakeRecorder can record; empty for
   /// recordings.
   std::vector<std::shared_ptr<capture::EncodedFeed>> feeds = {};
@@ -49,7 +49,7 @@ struct SessionRequest {
   std::filesystem::path file;
   std::optional<Project> project;
   /// Current locations of files that are no longer at the path named in the project.
-  MovedFiles moved;
+  MovedFiles movedFiles;
 };
 
 } // namespace dewpoint::session

@@ -108,7 +108,7 @@ void addShapes(TrackSnapshot& snapshot) {
 }
 
 /// The colors of a box, as they were given and in the image shown.
-void addHistogram(const ReferenceColors& colors, std::size_t index, const BoxEstimate& box,
+void addHistogram(const ReferenceColorReporting& colors, std::size_t index, const BoxEstimate& box,
                   TrackSnapshot& snapshot) {
   const auto camera = static_cast<std::size_t>(box.camera);
   if (camera >= snapshot.frames->frames.size() || !snapshot.frames->frames[camera] ||
@@ -125,7 +125,7 @@ void addHistogram(const ReferenceColors& colors, std::size_t index, const BoxEst
 
 /// The colors of all targets that are boxes.
 void addHistograms(const TrackingRun& run, TrackSnapshot& snapshot) {
-  const auto* const colors = run.capability<ReferenceColors>();
+  const auto* const colors = run.capability<ReferenceColorReporting>();
   const std::size_t count = std::min(snapshot.targets.size(), run.targets().size());
   for (std::size_t k = 0; colors != nullptr && k < count; ++k) {
     std::visit(Overloaded{[](const SphereEstimate&) {},
@@ -166,7 +166,7 @@ std::vector<cv::Mat> colorMasks(const TrackSnapshot& snapshot) {
 std::vector<cv::Mat> motionMasks(const TrackingRun& run, const PeopleFinding& finding) {
   std::vector<cv::Mat> masks;
   for (std::size_t camera = 0; camera < run.rig().size(); ++camera) {
-    cv::Mat mask = finding.foreground(camera);
+    cv::Mat mask = finding.foregroundMask(camera);
     const Intrinsics& size = run.rig()[camera].intrinsics;
     if (!mask.empty() && mask.size() != cv::Size(size.width, size.height)) {
       cv::Mat larger;
@@ -199,14 +199,14 @@ std::vector<LikelihoodMap> motionMaps(const TrackingRun& run, const MotionMappin
 
 void SnapshotBuilder::show(const TrackedFrame& trackedFrame, const TrackingRun& run,
                            const History* history, std::int64_t tailEnd, TrackSnapshot& snapshot) {
-  snapshot.iterations = trackedFrame.totalIterations;
+  snapshot.iterationCount = trackedFrame.totalIterationCount;
   snapshot.peopleCameras = trackedFrame.peopleCameras;
   snapshot.targets.clear();
   for (std::size_t k = 0; k < trackedFrame.targets.size(); ++k) {
     snapshot.targets.push_back(
         snapshotOf(trackedFrame.targets[k], (*trackedFrame.targetDefinitions)[k]));
     if (history != nullptr) {
-      snapshot.targets.back().tail = history->tail(k, snapshot.frame, tailEnd);
+      snapshot.targets.back().tailPositions = history->tail(k, snapshot.frame, tailEnd);
     }
   }
   addOthers(run, snapshot);
@@ -217,7 +217,7 @@ void SnapshotBuilder::show(const TrackedFrame& trackedFrame, const TrackingRun& 
 }
 
 void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot) const {
-  if (options_.withShapes) {
+  if (options_.includesBodyShapes) {
     addShapes(snapshot);
   }
   if (!snapshot.frames) {
@@ -233,7 +233,7 @@ void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot)
     }
   }
   // A target without a color has no mask.
-  if (options_.withMasks && !snapshot.isPreview && snapshot.family.hasColorMasks()) {
+  if (options_.includesMasks && !snapshot.isPreview && snapshot.family.hasColorMasks()) {
     snapshot.masks = colorMasks(snapshot);
   }
 }
@@ -260,7 +260,7 @@ void SnapshotBuilder::fillFromCurrentFrame(const TrackingRun& run, const History
 Status SnapshotBuilder::fillFromPastFrame(const TrackingRun& run, TimeTravel& travel,
                                           std::int64_t frame, bool quickly,
                                           TrackSnapshot& snapshot) const {
-  auto frames = quickly ? travel.previewAt(frame, snapshot.isPreview) : travel.frames(frame);
+  auto frames = quickly ? travel.previewAt(frame, snapshot.isPreview) : travel.framesAt(frame);
   if (!frames) {
     return tl::make_unexpected(frames.error());
   }
@@ -289,7 +289,7 @@ Status SnapshotBuilder::fillFromAnyFrame(const TrackingRun& run, TimeTravel& tra
   if (!shouldContinue()) {
     return failure(ErrorCode::Canceled, "", "", "");
   }
-  if (travel.nearest(frame) != frame) {
+  if (travel.nearestFrame(frame) != frame) {
     return failure(ErrorCode::NotFound, "", "", fmt::format("frame {}", frame));
   }
   snapshot.isPast = true; // as it was recorded, so that the current frame looks like the others
@@ -306,8 +306,8 @@ Status SnapshotBuilder::fillFromAnyFrame(const TrackingRun& run, TimeTravel& tra
 
 bool SnapshotBuilder::requestsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
   return run.definition()->family().hasMotionMasks
-             ? (options_.withMasks || options_.withMaps) && snapshot.frames != nullptr
-             : options_.withMaps && snapshot.isTracked;
+             ? (options_.includesMasks || options_.includesMaps) && snapshot.frames != nullptr
+             : options_.includesMaps && snapshot.isTracked;
 }
 
 bool SnapshotBuilder::lacksMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
@@ -317,12 +317,12 @@ bool SnapshotBuilder::lacksMaps(const TrackingRun& run, const TrackSnapshot& sna
 
 void SnapshotBuilder::addMaps(const TrackingRun& run, TrackSnapshot& snapshot) const {
   const auto* const finding = run.capability<PeopleFinding>();
-  if (finding != nullptr && options_.withMasks) {
+  if (finding != nullptr && options_.includesMasks) {
     snapshot.masks = motionMasks(run, *finding);
     snapshot.masksShowMotion = true;
   }
   const auto* const motion = run.capability<MotionMapping>();
-  if (motion != nullptr && options_.withMaps) {
+  if (motion != nullptr && options_.includesMaps) {
     snapshot.motionMaps = motionMaps(run, *motion);
   }
   const auto* const mapping = run.capability<LikelihoodMapping>();

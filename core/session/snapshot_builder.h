@@ -14,9 +14,10 @@ namespace dewpoint::session {
 /// Optional contents of snapshots; each takes computing time.
 struct SnapshotOptions {
   /// True to fill TrackSnapshot::masks: the pixels with the color of each target.
-  bool withMasks = false;
-  bool withMaps = false;   ///< true to fill TargetSnapshot::maps: the likelihood around each target
-  bool withShapes = false; ///< true to fill TargetSnapshot::shape: the shapes of people
+  bool includesMasks = false;
+  bool includesMaps =
+      false; ///< true to fill TargetSnapshot::maps: the likelihood around each target
+  bool includesBodyShapes = false; ///< true to fill TargetSnapshot::shape: the shapes of people
 };
 
 /// Builds snapshots of one frame: the current frame of the run, or a past one. Both kinds have the

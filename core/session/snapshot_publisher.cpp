@@ -22,7 +22,7 @@ void SnapshotPublisher::publish(TrackSnapshotPtr snapshot) {
   }
 }
 
-TrackSnapshotPtr SnapshotPublisher::newest() const {
+TrackSnapshotPtr SnapshotPublisher::newestSnapshot() const {
   const std::lock_guard lock(newestMutex_);
   return newest_;
 }

@@ -32,11 +32,11 @@ void TrackingLoop::run(const std::stop_token& stop) {
       execute(*command);
       continue;
     }
-    if (playback().missing() == Playback::Missing::Images) {
+    if (playback().missingContent() == Playback::MissingContent::Images) {
       publish(Publish::Now);
       continue;
     }
-    if (playback().missing() == Playback::Missing::Maps) {
+    if (playback().missingContent() == Playback::MissingContent::Maps) {
       addMaps(stop);
     }
     if (stop.stop_requested()) {
@@ -51,7 +51,7 @@ void TrackingLoop::run(const std::stop_token& stop) {
 }
 
 std::optional<TrackingLoop::Clock::time_point> TrackingLoop::deadline() const {
-  const bool isIncomplete = playback().missing() != Playback::Missing::Nothing;
+  const bool isIncomplete = playback().missingContent() != Playback::MissingContent::Nothing;
   if (isIncomplete || (playback().isRunning() && playback().rerunRange())) {
     return Clock::now();
   }
@@ -67,12 +67,12 @@ PlaybackPace::Situation TrackingLoop::situation() const {
   return {.framesPerSecond = driver_.framesPerSecond(),
           .isAtFullSpeed = playback().rerunRange() || (driver_.isLive() && !isReplaying),
           .isReplaying = isReplaying,
-          .iterations = driver_.iterations(),
-          .isHeld = driver_.isHeld()};
+          .iterationCount = driver_.iterationCount(),
+          .isEveryTargetHeld = driver_.isEveryTargetHeld()};
 }
 
 void TrackingLoop::scheduleFirstStep() {
-  const PlaybackPace::Step step = pace_.next(situation());
+  const PlaybackPace::Step step = pace_.nextStep(situation());
   nextStepDue_ = Clock::now();
   if (step.isIteration) { // first it is seen what is known before it
     nextStepDue_ += std::chrono::duration_cast<Clock::duration>(step.period);
@@ -81,15 +81,15 @@ void TrackingLoop::scheduleFirstStep() {
 
 void TrackingLoop::takeDueStep() {
   const auto begin = Clock::now();
-  driver_.advance(pace_.next(situation()).isIteration);
+  driver_.advance(pace_.nextStep(situation()).isIteration);
   publish(playbackPublish());
   const PlaybackPace::Situation now = situation();
-  const auto period = std::chrono::duration_cast<Clock::duration>(pace_.next(now).period);
+  const auto period = std::chrono::duration_cast<Clock::duration>(pace_.nextStep(now).period);
   nextStepDue_ = now.isAtFullSpeed ? begin : std::max(nextStepDue_ + period, begin);
 }
 
 TrackingLoop::Publish TrackingLoop::playbackPublish() const {
-  const bool isFast = playback().isRunning() && pace_.pace().speed > 1.0 && !driver_.isLive();
+  const bool isFast = playback().isRunning() && pace_.pace().speedFactor > 1.0 && !driver_.isLive();
   return playback().rerunRange() || isFast ? Publish::Throttled : Publish::Now;
 }
 
@@ -103,13 +103,13 @@ void TrackingLoop::publish(Publish how) {
     return;
   }
   auto snapshot = std::make_shared<TrackSnapshot>();
-  driver_.fill(builder_, how == Publish::Quickly, *snapshot);
+  driver_.fillSnapshot(builder_, how == Publish::Quickly, *snapshot);
   published_ = Clock::now();
   publisher_.publish(std::move(snapshot));
 }
 
 void TrackingLoop::addMaps(const std::stop_token& stop) {
-  auto snapshot = std::make_shared<TrackSnapshot>(*publisher_.newest());
+  auto snapshot = std::make_shared<TrackSnapshot>(*publisher_.newestSnapshot());
   const auto shouldContinue = [&] { return !stop.stop_requested() && commands_.empty(); };
   driver_.addMaps(builder_, *snapshot, shouldContinue);
   publisher_.publish(std::move(snapshot));
@@ -179,7 +179,7 @@ TrackingLoop::Publish TrackingLoop::handle(const command::SetBackgroundImages& r
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::SetPersonCorrections& request) {
-  driver_.setPersonCorrections(request.people);
+  driver_.setPersonCorrections(request.corrections);
   return Publish::Now;
 }
 
@@ -195,34 +195,34 @@ TrackingLoop::Publish TrackingLoop::handle(const command::SetCorrections& reques
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::SetThreads& request) {
-  driver_.setThreads(request.threads);
+TrackingLoop::Publish TrackingLoop::handle(const command::SetThreadCount& request) {
+  driver_.setThreadCount(request.threadCount);
   return Publish::Now;
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::SetPace& request) {
-  pace_.set(request.pace);
+  pace_.setPace(request.pace);
   scheduleFirstStep();
   return Publish::Now;
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::ShowMasks& request) {
-  builder_.options().withMasks = request.shown;
+  builder_.options().includesMasks = request.isShown;
   return Publish::Now;
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::ShowMaps& request) {
-  builder_.options().withMaps = request.shown;
+  builder_.options().includesMaps = request.isShown;
   return Publish::Now;
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::ShowBodyShapes& request) {
-  builder_.options().withShapes = request.shown;
+  builder_.options().includesBodyShapes = request.isShown;
   return Publish::Now;
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::ShowCalibrationBoard& request) {
-  driver_.setCalibrationBoardShown(request.shown);
+  driver_.setCalibrationBoardShown(request.isShown);
   return Publish::Now;
 }
 
@@ -237,7 +237,7 @@ TrackingLoop::Publish TrackingLoop::handle(const command::ReturnToNewestFrame&) 
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::Rerun& request) {
-  driver_.rerun(request.from, request.keepView);
+  driver_.rerun(request.fromFrame, request.keepView);
   viewKeptUntil_ = Clock::now();
   if (request.keepView) {
     viewKeptUntil_ += kLongestKeptView;

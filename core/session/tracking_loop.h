@@ -22,7 +22,7 @@ public:
   void run(const std::stop_token& stop);
 
   CommandQueue& commands() { return commands_; }
-  FrameTapSlot& tap() { return tap_; }
+  FrameTapSlot& frameTap() { return tap_; }
   SnapshotPublisher& publisher() { return publisher_; }
   const SnapshotPublisher& publisher() const { return publisher_; }
   const RunLog& log() const { return log_; }
@@ -55,7 +55,7 @@ private:
   Publish handle(const command::SetPersonCorrections& request);
   Publish handle(const command::SetVolumeOfInterest& request);
   Publish handle(const command::SetCorrections& request);
-  Publish handle(const command::SetThreads& request);
+  Publish handle(const command::SetThreadCount& request);
   Publish handle(const command::SetPace& request);
   Publish handle(const command::ShowMasks& request);
   Publish handle(const command::ShowMaps& request);

@@ -25,16 +25,16 @@ void resetParameter(Project& project, std::string_view key) {
   const auto declaration = std::ranges::find(declarations, key, &ParameterDeclaration::key);
   assert(declaration != declarations.end());
   const ParameterValues defaults = defaultParameters(project);
-  if (!declaration->derivedFromCameras) {
+  if (!declaration->isDerivedFromCameras) {
     (void)project.parameters.set(key, defaults.at(key));
     return;
   }
   ParameterValues parameters = effectiveParameters(project);
   (void)parameters.set(key, defaults.at(key));
   const bool isAllAsSeen = std::ranges::all_of(declarations, [&](const ParameterDeclaration& one) {
-    return !one.derivedFromCameras || parameters.at(one.key) == defaults.at(one.key);
+    return !one.isDerivedFromCameras || parameters.at(one.key) == defaults.at(one.key);
   });
-  isAllAsSeen ? parameters.resetDerivableValues() : parameters.markAllGiven();
+  isAllAsSeen ? parameters.resetDerivableValues() : parameters.markAllAsGiven();
   project.parameters = parameters;
 }
 

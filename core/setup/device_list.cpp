@@ -32,7 +32,7 @@ std::string sizesText(const OfferedFormat& format) {
   std::vector<std::string> sizes;
   for (const OfferedSize& size : format.sizes) {
     std::vector<std::string> rates;
-    for (const double rate : size.rates) {
+    for (const double rate : size.frameRates) {
       rates.push_back(fmt::format("{:.4g}", rate));
     }
     sizes.push_back(fmt::format("{}x{}{}{}", size.width, size.height, rates.empty() ? "" : " at ",
@@ -51,7 +51,7 @@ std::string allowedText(const DeviceControl& control) {
                        control.defaultValue);
   }
   std::vector<std::string> items;
-  for (const ControlMenuItem& item : control.menu) {
+  for (const ControlMenuItem& item : control.menuItems) {
     items.push_back(fmt::format("{} = {}", item.value, item.name));
   }
   return fmt::format("{}, default {}", fmt::join(items, ", "), control.defaultValue);
@@ -59,20 +59,20 @@ std::string allowedText(const DeviceControl& control) {
 
 std::string controlText(const DeviceControl& control) {
   return fmt::format("{} = {} ({}{}{})", control.name, control.value, allowedText(control),
-                     control.readOnly ? ", cannot be set" : "",
-                     control.inactive ? ", set by an automatic now" : "");
+                     control.isReadOnly ? ", cannot be set" : "",
+                     control.isInactive ? ", set by an automatic now" : "");
 }
 
 std::string deviceText(const ListedDevice& listed) {
   const CameraDevice& device = listed.device;
-  std::string text = device.identity.name + "\n" + listLine("address", device.address);
-  if (device.path != device.address) {
+  std::string text = device.identity.name + "\n" + listLine("address", device.stablePath);
+  if (device.path != device.stablePath) {
     text += listLine("node", device.path);
   }
-  const std::string usb =
-      device.usb.bus > 0
-          ? fmt::format(" (USB bus {}, {} Mbit/s)", device.usb.bus, device.usb.deviceMbitPerSecond)
-          : std::string();
+  const std::string usb = device.usbLink.busNumber > 0
+                              ? fmt::format(" (USB bus {}, {} Mbit/s)", device.usbLink.busNumber,
+                                            device.usbLink.deviceMbitPerSecond)
+                              : std::string();
   text += listLine("connector", device.identity.bus + usb);
   text += listLine("serial", device.identity.serial.empty() ? "none" : device.identity.serial);
   if (!device.problem.empty()) {
@@ -92,7 +92,7 @@ Json formatsJson(const std::vector<OfferedFormat>& formats) {
   for (const OfferedFormat& format : formats) {
     auto sizes = Json::array();
     for (const OfferedSize& size : format.sizes) {
-      sizes.push_back({{"width", size.width}, {"height", size.height}, {"rates", size.rates}});
+      sizes.push_back({{"width", size.width}, {"height", size.height}, {"rates", size.frameRates}});
     }
     list.push_back({{"pixel_format", format.pixelFormat},
                     {"description", format.description},
@@ -107,7 +107,7 @@ Json controlsJson(const std::vector<DeviceControl>& controls) {
   auto list = Json::array();
   for (const DeviceControl& control : controls) {
     auto menu = Json::array();
-    for (const ControlMenuItem& item : control.menu) {
+    for (const ControlMenuItem& item : control.menuItems) {
       menu.push_back({{"value", item.value}, {"name", item.name}});
     }
     list.push_back({{"name", control.name},
@@ -118,8 +118,8 @@ Json controlsJson(const std::vector<DeviceControl>& controls) {
                     {"maximum", control.maximum},
                     {"step", control.step},
                     {"default", control.defaultValue},
-                    {"read_only", control.readOnly},
-                    {"inactive", control.inactive},
+                    {"read_only", control.isReadOnly},
+                    {"inactive", control.isInactive},
                     {"menu", std::move(menu)}});
   }
   return list;
@@ -128,14 +128,14 @@ Json controlsJson(const std::vector<DeviceControl>& controls) {
 Json deviceJson(const ListedDevice& listed) {
   const CameraDevice& device = listed.device;
   Json object{{"name", device.identity.name},
-              {"address", device.address},
+              {"address", device.stablePath},
               {"node", device.path},
               {"bus", device.identity.bus},
               {"serial", device.identity.serial},
               {"vendor_product", device.identity.vendorAndProductId},
               {"driver", device.driver},
-              {"usb_bus", device.usb.bus},
-              {"usb_mbit", device.usb.deviceMbitPerSecond},
+              {"usb_bus", device.usbLink.busNumber},
+              {"usb_mbit", device.usbLink.deviceMbitPerSecond},
               {"problem", device.problem},
               {"formats", formatsJson(device.formats)}};
   if (listed.controls) {
@@ -167,10 +167,10 @@ std::size_t identifyDevices(Project& project, std::span<const CameraDevice> devi
   std::size_t count = 0;
   for (std::size_t k = 0; k < matches.size(); ++k) {
     ProjectCamera& camera = project.cameras[k];
-    if (matches[k].device && camera.device.identity.isEmpty()) {
-      const CameraDevice& device = devices[*matches[k].device];
+    if (matches[k].deviceIndex && camera.device.identity.isEmpty()) {
+      const CameraDevice& device = devices[*matches[k].deviceIndex];
       camera.device.identity = device.identity;
-      camera.location = device.address;
+      camera.location = device.stablePath;
       ++count;
     }
   }

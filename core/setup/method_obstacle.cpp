@@ -22,7 +22,7 @@ bool isBare(const Project& project) {
 MethodObstacle methodObstacle(const Project& project, const Method& method) {
   const MethodFamily& family = method.family;
   const std::size_t count = project.cameras.size();
-  if (count > 0 && count < static_cast<std::size_t>(family.minCameras)) {
+  if (count > 0 && count < static_cast<std::size_t>(family.minCameraCount)) {
     return MethodObstacle::TooFewCameras;
   }
   const bool goesByGuess = !family.findsTargets() && count > 1;

@@ -16,7 +16,7 @@ namespace dewpoint::setup {
 enum class MethodObstacle {
   None,
   NoCalibration, ///< the method requires calibrated cameras
-  TooFewCameras  ///< the method needs more cameras to find a target (MethodFamily::minCameras)
+  TooFewCameras  ///< the method needs more cameras to find a target (MethodFamily::minCameraCount)
 };
 
 /// Returns what prevents a method from working with the cameras of a project, regardless of the

@@ -90,10 +90,10 @@ std::vector<MissingFile> missingFilesOf(const Project& project) {
       missing.check({isVideo ? Kind::Video : Kind::Images, static_cast<int>(k), camera.camera.name,
                      camera.location});
     }
-    missing.check(
-        {Kind::BackgroundImage, static_cast<int>(k), camera.camera.name, camera.backgroundImage});
+    missing.check({Kind::BackgroundImage, static_cast<int>(k), camera.camera.name,
+                   camera.backgroundImageFile});
   }
-  missing.check({Kind::Truth, -1, "", project.truth.value_or(fs::path())});
+  missing.check({Kind::Truth, -1, "", project.truthFile.value_or(fs::path())});
   if (project.scene.ends_with(".toml")) {
     missing.check({Kind::Scene, -1, "", project.scene});
   }
@@ -128,10 +128,10 @@ Project withMovedFiles(Project project, const MovedFiles& moved) {
   };
   for (ProjectCamera& camera : project.cameras) {
     camera.location = now(camera.location).string();
-    camera.backgroundImage = now(camera.backgroundImage).string();
+    camera.backgroundImageFile = now(camera.backgroundImageFile).string();
   }
-  if (project.truth) {
-    project.truth = now(*project.truth);
+  if (project.truthFile) {
+    project.truthFile = now(*project.truthFile);
   }
   project.scene = now(project.scene).string();
   return project;

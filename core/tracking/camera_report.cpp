@@ -35,13 +35,13 @@ std::string words(const CameraReport& report) {
   case CameraStatus::Hidden:
     return "hidden";
   case CameraStatus::Distractor:
-    return report.distancePx >= 1.0
-               ? fmt::format("{:.0f} px away from a distractor", report.distancePx)
+    return report.outlineDistancePx >= 1.0
+               ? fmt::format("{:.0f} px away from a distractor", report.outlineDistancePx)
                : "at a distractor";
   case CameraStatus::NoColor:
     return "no matching color";
   case CameraStatus::Elsewhere:
-    return fmt::format("color found {:.0f} px away", std::max(1.0, report.distancePx));
+    return fmt::format("color found {:.0f} px away", std::max(1.0, report.outlineDistancePx));
   case CameraStatus::Unclear:
     return "right color, wrong shape";
   }

@@ -24,9 +24,10 @@ enum class CameraStatus {
   OutOfView,    ///< the expected position lies outside the image
   PartlyHidden, ///< another object covers a part of the target; the rest is visible
   Hidden,       ///< another object is visible where the target is expected
-  Distractor, ///< a similar object is visible, `distancePx` pixels away from the expected position
-  NoColor,    ///< no pixel of the image has the target's color
-  /// The nearest pixel of the target's color is `distancePx` pixels away from the expected
+  /// A similar object is visible, `outlineDistancePx` pixels away from the expected position.
+  Distractor,
+  NoColor, ///< no pixel of the image has the target's color
+  /// The nearest pixel of the target's color is `outlineDistancePx` pixels away from the expected
   /// position.
   Elsewhere,
   Unclear, ///< the target's color is visible, but not its shape and size
@@ -38,7 +39,7 @@ struct CameraReport {
   /// Distance in pixels from the expected outline of the target: for Distractor, to the outline of
   /// the other object; for Elsewhere, to the nearest pixel of the target's color. 0 if the two
   /// touch.
-  double distancePx = 0.0;
+  double outlineDistancePx = 0.0;
 };
 
 /// Returns one English sentence that gives the reason for each camera that does not confirm the

@@ -11,9 +11,10 @@ struct ClockEstimate {
   /// Delay in seconds from the capture of an image to its time stamp, minus the same delay of the
   /// first camera. Known delays are not included, because the time stamps are already corrected for
   /// them.
-  double delay = 0.0;
-  double delaySigma = 0.0; ///< standard deviation of `delay`, seconds; 0: nothing is estimated
-  double drift = 0.0;      ///< change of `delay`, seconds per second
+  double delaySeconds = 0.0;
+  double delaySigma =
+      0.0;            ///< standard deviation of `delaySeconds`, seconds; 0: nothing is estimated
+  double drift = 0.0; ///< change of `delaySeconds`, seconds per second
   double driftSigma = 0.0; ///< standard deviation of `drift`
 };
 

@@ -49,7 +49,7 @@ template <TargetFilter F>
 class IndependentTrackers : public Tracker,
                             public Configurable,
                             public TargetTracking,
-                            public CameraCalibrated,
+                            public RigConfigurable,
                             public VolumeBounded,
                             public PositionCorrecting,
                             public ParticleCloud,

@@ -92,7 +92,7 @@ Status ParameterValues::set(std::string_view key, double value) {
                    fmt::format("{} is not {}", value, rangeText(*declaration)));
   }
   values_.find(key)->second = value;
-  markGiven(key);
+  markAsGiven(key);
   return {};
 }
 
@@ -111,18 +111,18 @@ Status ParameterValues::setFromText(std::string_view key, std::string_view text)
 
 bool ParameterValues::isGiven(std::string_view key) const {
   const ParameterDeclaration* declaration = find(declarations_, key);
-  return declaration == nullptr || !declaration->derivedFromCameras || given_.contains(key);
+  return declaration == nullptr || !declaration->isDerivedFromCameras || given_.contains(key);
 }
 
-void ParameterValues::markGiven(std::string_view key) {
+void ParameterValues::markAsGiven(std::string_view key) {
   if (!isGiven(key)) {
     given_.emplace(key);
   }
 }
 
-void ParameterValues::markAllGiven() {
+void ParameterValues::markAllAsGiven() {
   for (const auto& declaration : declarations_) {
-    markGiven(declaration.key);
+    markAsGiven(declaration.key);
   }
 }
 

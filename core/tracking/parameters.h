@@ -36,17 +36,17 @@ std::string_view parameterGroupTitle(ParameterGroup group);
 struct ParameterDeclaration {
   std::string key; ///< name in files and on the command line, such as "motion_sigma"
   ParameterKind kind = ParameterKind::Real;
-  std::string label;    ///< name shown to the user, such as "Motion sigma"
-  std::string unit;     ///< unit of the value, such as "m"; "" for a count
-  double minimum = 0.0; ///< smallest allowed value
-  double maximum = 0.0; ///< largest allowed value
-  double step = 0.0;    ///< step size in editors
+  std::string label;     ///< name shown to the user, such as "Motion sigma"
+  std::string unit;      ///< unit of the value, such as "m"; "" for a count
+  double minimum = 0.0;  ///< smallest allowed value
+  double maximum = 0.0;  ///< largest allowed value
+  double stepSize = 0.0; ///< step size in editors
   double defaultValue = 0.0;
   std::string description;           ///< explanation for tooltips and the reference page
   bool hasLogarithmicSlider = false; ///< sliders have a logarithmic scale
   /// If true and the user gives no value, the value is derived from the cameras
   /// (effectiveParameters()), or is the default if the cameras do not determine it.
-  bool derivedFromCameras = false;
+  bool isDerivedFromCameras = false;
   ParameterGroup group = ParameterGroup::Essential;
   /// Key of another parameter of the method, whose value is an upper limit for the value of this
   /// parameter. A larger value is replaced by the limit. Empty if there is no such limit.
@@ -59,7 +59,7 @@ void putInGroup(ParameterGroup group, std::initializer_list<std::string_view> ke
 
 /// Declared parameters of a method with their values, each within its declared range. A value is
 /// "given" if somebody has set it; other values may be derived from the cameras
-/// (ParameterDeclaration::derivedFromCameras).
+/// (ParameterDeclaration::isDerivedFromCameras).
 class ParameterValues {
 public:
   using ValuesByKey = std::map<std::string, double, std::less<>>;
@@ -75,13 +75,13 @@ public:
   /// Sets a value from its text, as on the command line. Errors are those of set().
   Status setFromText(std::string_view key, std::string_view text);
   /// Returns whether the value of a key is given, which means that the value is not derived from
-  /// the cameras. The result is false only for a key with ParameterDeclaration::derivedFromCameras
-  /// that nobody has set.
+  /// the cameras. The result is false only for a key with
+  /// ParameterDeclaration::isDerivedFromCameras that nobody has set.
   bool isGiven(std::string_view key) const;
   /// Marks the current value of a key as given (isGiven()). Does nothing for an unknown key.
-  void markGiven(std::string_view key);
+  void markAsGiven(std::string_view key);
   /// Marks the current values of all keys as given (isGiven()).
-  void markAllGiven();
+  void markAllAsGiven();
   /// Resets all values that can be derived from the cameras to their defaults, and marks them as
   /// not given. setDerivedValues() then replaces them.
   void resetDerivableValues();

@@ -50,7 +50,7 @@ ParameterDeclaration startHalfSize(const std::string& axis, double defaultValue)
 
 bool isAnyStartGiven(const ParameterValues& parameters) {
   return std::ranges::any_of(parameters.declarations(), [&](const auto& declaration) {
-    return declaration.derivedFromCameras && declaration.key.starts_with("start_") &&
+    return declaration.isDerivedFromCameras && declaration.key.starts_with("start_") &&
            parameters.isGiven(declaration.key);
   });
 }
@@ -96,7 +96,7 @@ std::vector<ParameterDeclaration> startParameters(const StartVolume& defaults) {
   return all;
 }
 
-StartVolume startVolume(const ParameterValues& parameters) {
+StartVolume startVolumeOf(const ParameterValues& parameters) {
   StartVolume volume;
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
     const auto at = static_cast<Eigen::Index>(axis);
@@ -126,8 +126,8 @@ ParameterValues effectiveParameters(ParameterValues parameters, const CameraRig&
   return parameters;
 }
 
-Eigen::ArrayXXd drawUniformly(const StartVolume& volume, Eigen::Index count,
-                              const RandomStream& stream) {
+Eigen::ArrayXXd drawUniformPositions(const StartVolume& volume, Eigen::Index count,
+                                     const RandomStream& stream) {
   Eigen::ArrayXXd positions(count, 3);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto unit = stream.uniform3(static_cast<std::uint32_t>(i));

@@ -24,7 +24,7 @@ struct StartVolume {
 /// All methods with a start volume use these declarations.
 std::vector<ParameterDeclaration> startParameters(const StartVolume& defaults);
 /// Returns the start volume that `parameters` define. `parameters` must declare startParameters().
-StartVolume startVolume(const ParameterValues& parameters);
+StartVolume startVolumeOf(const ParameterValues& parameters);
 
 /// Returns the part of a start volume inside a box, or the whole box if the two do not overlap.
 StartVolume startVolumeWithin(const StartVolume& start, const WorldBox& box);
@@ -44,7 +44,7 @@ ParameterValues effectiveParameters(ParameterValues parameters, const CameraRig&
 
 /// Draws `count` positions uniformly from the volume: rows of x, y, z in meters, world frame.
 /// Position i is drawn from element i of the stream.
-Eigen::ArrayXXd drawUniformly(const StartVolume& volume, Eigen::Index count,
-                              const RandomStream& stream);
+Eigen::ArrayXXd drawUniformPositions(const StartVolume& volume, Eigen::Index count,
+                                     const RandomStream& stream);
 
 } // namespace dewpoint::tracking

@@ -9,9 +9,9 @@ namespace {
 constexpr double kHeldExistence = 0.5; ///< below it a person is searched for
 
 struct Held {
-  bool operator()(const SphereEstimate& sphere) const { return sphere.valid; }
+  bool operator()(const SphereEstimate& sphere) const { return sphere.isValid; }
   /// A method that knows no hiding may follow its box out of the image, where nothing is alike.
-  bool operator()(const BoxEstimate& box) const { return box.visible && box.similarity > 0.0; }
+  bool operator()(const BoxEstimate& box) const { return box.isVisible && box.similarity > 0.0; }
   bool operator()(const PersonEstimate& person) const {
     return person.existenceProbability >= kHeldExistence;
   }
@@ -81,13 +81,13 @@ bool isAbsent(const TrackEstimate& estimate) {
   return std::holds_alternative<AbsentEstimate>(estimate);
 }
 
-bool isHeld(const TrackEstimate& estimate) {
+bool isConfirmed(const TrackEstimate& estimate) {
   return std::visit(Held{}, estimate);
 }
 
 bool isAmbiguous(const TrackEstimate& estimate) {
   const auto* const sphere = std::get_if<SphereEstimate>(&estimate);
-  return sphere != nullptr && sphere->ambiguous;
+  return sphere != nullptr && sphere->isAmbiguous;
 }
 
 std::optional<Eigen::Matrix3d> extentOf(const TrackEstimate& estimate) {

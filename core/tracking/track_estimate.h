@@ -29,10 +29,10 @@ struct SphereEstimate {
   int particleCount = 0;
   /// Number of cameras that show the color of the target at the projected mean.
   int seeingCameraCount = 0;
-  bool valid = false; ///< true if at least two cameras, or the only camera, confirm the target
+  bool isValid = false; ///< true if at least two cameras, or the only camera, confirm the target
   /// True if another object is about as likely to be the target, or if the estimate moved to
   /// another object in this frame. The covariance then also covers the other candidates.
-  bool ambiguous = false;
+  bool isAmbiguous = false;
   double existenceProbability = 0.0; ///< probability that the target is at the estimate
   double radius = 0.0;               ///< meters, given or estimated; 0 if unknown
   /// Extent (m²) of a target that is not a ball, as in geometry::Ellipsoid; `radius` is then the
@@ -41,7 +41,7 @@ struct SphereEstimate {
   /// Position (m, m²) measured in the images of this frame alone, without the prediction. Empty if
   /// the target was not found in the images, or if the method does not measure positions.
   std::optional<Gaussian3> measurement;
-  bool degenerate = false; ///< no particle had a usable weight; all weights were set equal
+  bool isDegenerate = false; ///< no particle had a usable weight; all weights were set equal
   /// Likelihood, existence probability and visible fraction at the mean for each camera, in the
   /// order of the cameras in the rig. Empty if the method does not compute these values or the
   /// position is unknown.
@@ -56,12 +56,12 @@ struct SphereEstimate {
 /// Estimate of a bounding box after one image of one camera, in pixels from the upper left corner.
 struct BoxEstimate {
   ImageBox box;
-  double similarity = 0.0; ///< similarity of the colors in the box to the reference, [0, 1]
-  double spread = 0.0;     ///< root mean square distance of the particles from their mean, pixels
+  double similarity = 0.0;   ///< similarity of the colors in the box to the reference, [0, 1]
+  double spreadPixels = 0.0; ///< root mean square distance of the particles from their mean
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
-  bool visible = true;     ///< false while the target is assumed to be hidden
-  bool degenerate = false; ///< no particle had a usable weight; all weights were set equal
+  bool isVisible = true;     ///< false while the target is assumed to be hidden
+  bool isDegenerate = false; ///< no particle had a usable weight; all weights were set equal
   int camera = 0;          ///< camera index in the rig
 };
 
@@ -75,13 +75,13 @@ struct PersonEstimate {
   int particleCount = 0;
   int seeingCameraCount = 0;         ///< number of cameras with foreground of this person
   double existenceProbability = 1.0; ///< falls from 1 to 0 while no camera sees the person
-  double age = 0.0;                  ///< seconds since the track was created
+  double ageSeconds = 0.0;           ///< seconds since the track was created
   /// True if another person is near. The method then learns nothing from image content that may
   /// belong to either of the two.
-  bool interacting = false;
+  bool isInteracting = false;
   double height = 0.0; ///< meters; 0 if the method does not estimate it
   /// Hue and saturation of the person, in [0, 1], if the method estimates them.
-  std::optional<Eigen::Vector2d> color;
+  std::optional<Eigen::Vector2d> hueAndSaturation;
 };
 
 /// No estimate: the person has left, or the box has not yet been defined in this frame.
@@ -95,7 +95,7 @@ using TrackEstimate = std::variant<SphereEstimate, BoxEstimate, PersonEstimate, 
 bool isAbsent(const TrackEstimate& estimate);
 /// Returns whether the cameras confirm the track now: a valid sphere, a visible box, or a person
 /// with an existence probability of at least one half.
-bool isHeld(const TrackEstimate& estimate);
+bool isConfirmed(const TrackEstimate& estimate);
 /// Returns whether another object is about as likely to be the target.
 bool isAmbiguous(const TrackEstimate& estimate);
 /// Returns the existence probability of a sphere or a person, the similarity of a box, or 0 if the

@@ -57,9 +57,9 @@ public:
 };
 
 /// Tracker that estimates positions in the world with calibrated cameras.
-class CameraCalibrated {
+class RigConfigurable {
 public:
-  virtual ~CameraCalibrated() = default;
+  virtual ~RigConfigurable() = default;
   /// Sets another calibration of the same cameras from the next iteration on; tracks are kept.
   virtual void setCameras(const CameraRig& rig) = 0;
 };
@@ -76,9 +76,9 @@ public:
 };
 
 /// Tracker that uses background images, which show the scene without targets.
-class BackgroundImageUsing {
+class BackgroundImageConfigurable {
 public:
-  virtual ~BackgroundImageUsing() = default;
+  virtual ~BackgroundImageConfigurable() = default;
   /// Sets one background image per camera (CV_8UC3, in the order of the cameras in the rig). The
   /// image is empty for a camera without a background image. The images take effect at the next
   /// restart. Methods for people then need no learning phase.
@@ -177,9 +177,9 @@ public:
 };
 
 /// Tracker that remembers which colors a target had in the frame in which the target was defined.
-class ReferenceColors {
+class ReferenceColorReporting {
 public:
-  virtual ~ReferenceColors() = default;
+  virtual ~ReferenceColorReporting() = default;
   /// Returns the color histogram (boxHistogram()) of the initial box of a target. The histogram is
   /// empty while the target is absent.
   virtual std::vector<double> referenceHistogram(std::size_t target) const = 0;
@@ -193,21 +193,21 @@ public:
   virtual const std::vector<PersonEstimate>& people() const = 0;
   /// Returns all people tracked so far in this run, as targets with the names "person 1", "person
   /// 2", ...
-  virtual const std::vector<Target>& allPeople() const = 0;
+  virtual const std::vector<Target>& peopleAsTargets() const = 0;
   /// Returns the body of a person. The body is empty if the person is not in people().
-  virtual BodyCloud body(int identity) const = 0;
+  virtual BodyCloud bodyOf(int identity) const = 0;
   /// Returns the state of each camera's background model.
   virtual const std::vector<PeopleCameraState>& cameraStates() const = 0;
   /// Returns the motion mask of a camera (CV_8UC1, 255 where something differs from the background,
   /// 0 elsewhere), or an empty image if there is no mask. The mask may be smaller than the camera's
   /// images.
-  virtual cv::Mat foreground(std::size_t camera) const = 0;
+  virtual cv::Mat foregroundMask(std::size_t camera) const = 0;
 };
 
 /// Tracker in which the user can add and remove people.
-class PersonPlacing {
+class PersonEditing {
 public:
-  virtual ~PersonPlacing() = default;
+  virtual ~PersonEditing() = default;
   /// Creates a track of a person with the center of the body at `center` (meters, world frame),
   /// regardless of the motion masks. Returns the identity of the new person. Takes effect in the
   /// next frame.

@@ -24,13 +24,14 @@ ErrorSummary summarize(const std::vector<Eigen::Vector3d>& errors) {
   }
   std::sort(lengths.begin(), lengths.end());
   summary.rmse = rootMeanSquare(errors);
-  summary.median = quantile(lengths, 0.5);
+  summary.medianError = quantile(lengths, 0.5);
   summary.p95 = quantile(lengths, 0.95);
-  summary.max = lengths.back();
+  summary.maxError = lengths.back();
   return summary;
 }
 
-CameraBias cameraBias(const TrajectoryCamera& camera, const std::vector<Eigen::Vector3d>& errors) {
+CameraBias computeCameraBias(const TrajectoryCamera& camera,
+                             const std::vector<Eigen::Vector3d>& errors) {
   const Eigen::Vector3d axis = camera.opticalAxis.normalized();
   std::vector<Eigen::Vector3d> along;
   std::vector<Eigen::Vector3d> across;
@@ -41,7 +42,7 @@ CameraBias cameraBias(const TrajectoryCamera& camera, const std::vector<Eigen::V
     mean += error / static_cast<double>(errors.size());
   }
   CameraBias bias;
-  bias.name = camera.name;
+  bias.cameraName = camera.name;
   bias.alongAxisBias = mean.dot(axis);
   bias.acrossAxisBias = (mean - mean.dot(axis) * axis).norm();
   bias.alongAxisRms = rootMeanSquare(along);

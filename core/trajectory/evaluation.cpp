@@ -131,12 +131,12 @@ void fillStatistics(Evaluation& evaluation, const std::vector<Eigen::Vector3d>& 
                     const std::vector<TrajectoryCamera>& cameras) {
   const ErrorSummary summary = summarize(errors);
   evaluation.rmse = summary.rmse;
-  evaluation.median = summary.median;
+  evaluation.medianError = summary.medianError;
   evaluation.p95 = summary.p95;
-  evaluation.max = summary.max;
+  evaluation.maxError = summary.maxError;
   evaluation.bias = summary.bias;
   for (const TrajectoryCamera& camera : cameras)
-    evaluation.cameras.push_back(cameraBias(camera, errors));
+    evaluation.cameraBiases.push_back(computeCameraBias(camera, errors));
 }
 
 Result<Evaluation> evaluateTarget(const std::string& target, const Samples& estimate,
@@ -158,7 +158,7 @@ Result<Evaluation> evaluateTarget(const std::string& target, const Samples& esti
     const Pair& pair = pairs[i];
     const bool after = start && i >= *start;
     const bool present = pair.estimate != nullptr;
-    if (after && (!present || !pair.estimate->valid || pair.error().norm() >= gate))
+    if (after && (!present || !pair.estimate->isValid || pair.error().norm() >= gate))
       ++evaluation.lostFrameCount;
     if (!present) {
       ++evaluation.missingFrameCount;
@@ -175,8 +175,9 @@ Result<Evaluation> evaluateTarget(const std::string& target, const Samples& esti
   evaluation.comparedFrameCount = static_cast<std::int64_t>(all.size());
   evaluation.rmseOfAllFrames = rootMeanSquare(all);
   if (start)
-    evaluation.framesToConverge = static_cast<std::int64_t>(*start);
-  evaluation.fractionInside95 = static_cast<double>(inside) / static_cast<double>(settled.size());
+    evaluation.convergenceFrameCount = static_cast<std::int64_t>(*start);
+  evaluation.fractionInside95Ellipsoid =
+      static_cast<double>(inside) / static_cast<double>(settled.size());
   fillStatistics(evaluation, settled, cameras);
   return evaluation;
 }

@@ -22,19 +22,19 @@ namespace dewpoint::trajectory {
 struct Evaluation {
   std::string target;
   double rmse = 0.0;            ///< root mean square error
-  double median = 0.0;          ///< median error
+  double medianError = 0.0;     ///< median error
   double p95 = 0.0;             ///< 95th percentile, interpolated linearly between order statistics
-  double max = 0.0;             ///< largest error
+  double maxError = 0.0;        ///< largest error
   double rmseOfAllFrames = 0.0; ///< root mean square error of all compared frames
   /// Fraction of the frames in which the true position lies inside the estimated 95 % ellipsoid, 0
   /// to 1. Only frames that the statistics cover are counted.
-  double fractionInside95 = 0.0;
+  double fractionInside95Ellipsoid = 0.0;
   Eigen::Vector3d bias = Eigen::Vector3d::Zero(); ///< mean of estimate minus truth
-  std::vector<CameraBias> cameras;
+  std::vector<CameraBias> cameraBiases;
   std::int64_t comparedFrameCount = 0; ///< number of ground-truth frames that have an estimate
   /// Number of frames before the first kConvergedFrames successive frames with errors within the
   /// gate. 0 if the estimate converged immediately; empty if it never converged.
-  std::optional<std::int64_t> framesToConverge;
+  std::optional<std::int64_t> convergenceFrameCount;
   /// Number of frames after convergence in which the error exceeds the gate, or the estimate is
   /// missing or not valid.
   std::int64_t lostFrameCount = 0;

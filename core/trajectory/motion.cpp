@@ -10,12 +10,12 @@ namespace {
 constexpr std::size_t kReach = 2; ///< samples on each side that a speed is of
 
 bool isSame(const TrajectorySample& a, const TrajectorySample& b) {
-  return a.frame == b.frame && a.target == b.target && a.time == b.time && a.valid == b.valid &&
+  return a.frame == b.frame && a.target == b.target && a.time == b.time && a.isValid == b.isValid &&
          a.position == b.position && a.covariance == b.covariance;
 }
 
 bool isUsable(const TrajectorySample& sample) {
-  return sample.valid && sample.position.allFinite();
+  return sample.isValid && sample.position.allFinite();
 }
 
 } // namespace
@@ -96,9 +96,9 @@ MotionLog::Change MotionLog::replaceFrom(std::size_t first,
 
 void MotionLog::append(const TrajectorySample& sample) {
   Track& track = tracks_[sample.target];
-  const bool known = !track.rows.empty() && track.rows.back() >= dropped_;
-  extendGaps(track, known ? &rows_[track.rows.back() - dropped_].sample : nullptr, sample);
-  track.rows.push_back(dropped_ + rows_.size());
+  const bool known = !track.rowIndices.empty() && track.rowIndices.back() >= dropped_;
+  extendGaps(track, known ? &rows_[track.rowIndices.back() - dropped_].sample : nullptr, sample);
+  track.rowIndices.push_back(dropped_ + rows_.size());
   rows_.push_back({sample});
 }
 
@@ -121,12 +121,12 @@ void MotionLog::extendGaps(Track& track, const TrajectorySample* before,
 
 /// A new sample changes the speeds of those before it that it is a neighbor of.
 void MotionLog::updateSpeeds(const Track& track, std::size_t& firstChangedRow) {
-  const std::size_t wanted = std::min(track.rows.size(), 2 * kReach + 1);
+  const std::size_t wanted = std::min(track.rowIndices.size(), 2 * kReach + 1);
   std::vector<TrajectorySample> end;
   std::vector<std::size_t> rowIndices;
-  for (std::size_t i = track.rows.size() - wanted; i < track.rows.size(); ++i) {
-    if (track.rows[i] >= dropped_) {
-      rowIndices.push_back(track.rows[i] - dropped_);
+  for (std::size_t i = track.rowIndices.size() - wanted; i < track.rowIndices.size(); ++i) {
+    if (track.rowIndices[i] >= dropped_) {
+      rowIndices.push_back(track.rowIndices[i] - dropped_);
       end.push_back(rows_[rowIndices.back()].sample);
     }
   }
@@ -161,7 +161,7 @@ std::size_t MotionLog::dropOldRows() {
   rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(surplus));
   dropped_ += surplus;
   for (auto& [name, track] : tracks_) {
-    std::erase_if(track.rows, [this](std::size_t row) { return row < dropped_; });
+    std::erase_if(track.rowIndices, [this](std::size_t row) { return row < dropped_; });
   }
   return surplus;
 }

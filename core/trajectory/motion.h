@@ -28,7 +28,7 @@ struct TrajectoryGap {
   double endTime = 0.0;
 
   std::int64_t frameCount() const { return lastFrame - firstFrame + 1; }
-  double seconds() const { return endTime - startTime; }
+  double durationSeconds() const { return endTime - startTime; }
   bool operator==(const TrajectoryGap&) const = default;
 };
 
@@ -50,7 +50,7 @@ double positionSigma(const TrajectorySample& sample, int axis);
 inline constexpr std::int64_t kMaxSkippedFrames = 8;
 /// Returns whether two successive frames of a track, `frame` and `next`, are so far apart that no
 /// line is drawn between them. In this case, the frames between them were never tracked.
-inline bool isInterrupted(std::int64_t frame, std::int64_t next) {
+inline bool isTrackInterrupted(std::int64_t frame, std::int64_t next) {
   return next - frame > kMaxSkippedFrames;
 }
 
@@ -81,7 +81,7 @@ public:
 
 private:
   struct Track {
-    std::vector<std::size_t> rows; ///< row indices counted since the start
+    std::vector<std::size_t> rowIndices; ///< row indices counted since the start
     std::vector<TrajectoryGap> gaps;
     bool isGapOpen = false; ///< the last gap has not ended
   };

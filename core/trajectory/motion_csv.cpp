@@ -21,7 +21,7 @@ std::string motionCsv(std::span<const MotionLog::Row> rows) {
     line.put(row.speed)
         .put(sample.cameraCount)
         .put(sample.existenceProbability)
-        .put(sample.valid ? 1 : 0);
+        .put(sample.isValid ? 1 : 0);
   }
   return text;
 }

@@ -47,7 +47,7 @@ constexpr double factorial(int n) {
 class Motion {
 public:
   Motion(std::span<const PathPoint> path, const PathModel& model)
-      : order_(std::clamp(model.order, 2, kMaxPathOrder)),
+      : order_(std::clamp(model.derivativeOrder, 2, kMaxPathOrder)),
         unit_(path.size() > 1
                   ? (path.back().time - path.front().time) / static_cast<double>(path.size() - 1)
                   : 1.0) {

@@ -12,13 +12,13 @@
 
 namespace dewpoint::trajectory {
 
-/// Motion model of a path. The derivative of order `order` (2: acceleration, 3: jerk) is white
-/// noise with spectral density `spectralDensity`, the same along each axis (Bar-Shalom, Li and
-/// Kirubarajan 2001, section 6.2). The smoothed path is a spline of degree 2 * order - 1 (Wahba
-/// 1990).
+/// Motion model of a path. The derivative of order `derivativeOrder` (2: acceleration, 3: jerk) is
+/// white noise with spectral density `spectralDensity`, the same along each axis (Bar-Shalom, Li
+/// and Kirubarajan 2001, section 6.2). The smoothed path is a spline of degree 2 * derivativeOrder
+/// - 1 (Wahba 1990).
 struct PathModel {
-  int order = 2;                ///< order of the derivative that is white noise, 2 to kMaxPathOrder
-  double spectralDensity = 1.0; ///< m² / s^(2 * order - 1)
+  int derivativeOrder = 2;      ///< order of the derivative that is white noise, 2 to kMaxPathOrder
+  double spectralDensity = 1.0; ///< m² / s^(2 * derivativeOrder - 1)
   /// Factor by which the covariance of each measured position is multiplied.
   double noiseFactor = 1.0;
 };

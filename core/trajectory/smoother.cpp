@@ -100,7 +100,7 @@ bool isUsable(const PositionMeasurement& seen) {
 /// What one sample says of its frame alone.
 std::optional<PositionMeasurement> measurementOf(const TrajectorySample& sample,
                                                  bool hasMeasurements) {
-  if (!sample.valid) {
+  if (!sample.isValid) {
     return std::nullopt;
   }
   std::optional<PositionMeasurement> measurement = sample.measurement;
@@ -301,12 +301,12 @@ private:
     }
     for (std::size_t k = 0; k < part.size(); ++k) {
       TrajectorySample& sample = *samples_[begin + k];
-      if (k > last && !sample.valid) {
+      if (k > last && !sample.isValid) {
         continue; // nobody says that the target is still there
       }
       sample.position = estimates[k].position;
       sample.covariance = estimates[k].covariance + share * shared[k];
-      sample.valid = sample.valid || isUseful(sample.covariance);
+      sample.isValid = sample.isValid || isUseful(sample.covariance);
     }
   }
 
@@ -390,7 +390,7 @@ Trajectory smoothedTrajectory(const Trajectory& live, const SmootherOptions& opt
     return wanted();
   };
   for (auto& [name, samples] : targets) {
-    TargetSmoother(std::move(samples), options.longestGap, shouldContinue, wanted).run();
+    TargetSmoother(std::move(samples), options.maxFilledGapSeconds, shouldContinue, wanted).run();
     done += 1.0;
     share = 0.0;
   }

@@ -14,7 +14,7 @@ namespace dewpoint::trajectory {
 /// Options of smoothedTrajectory().
 struct SmootherOptions {
   /// Longest gap that is filled, in seconds. After a longer gap, a new path begins.
-  double longestGap = 1.0;
+  double maxFilledGapSeconds = 1.0;
   /// Called from time to time with the progress, 0 to 1; returning false ends the smoothing.
   std::function<bool(double)> progress;
 };
@@ -34,7 +34,7 @@ PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
 /// (TrajectorySample::measurement) exactly once. If the trajectory was read from a file without
 /// these measurements, the valid estimates are used as measurements, and their errors are treated
 /// as independent. Between two measurements, the uncertainty increases and then decreases again. A
-/// sample without a measurement becomes `valid` if its smoothed position has a standard deviation
+/// sample without a measurement becomes `isValid` if its smoothed position has a standard deviation
 /// below 0.1 m in every direction.
 ///
 /// If the measurements scatter less than their covariance predicts, the difference is attributed to

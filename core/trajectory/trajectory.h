@@ -30,14 +30,14 @@ struct TrajectorySample {
   /// Effective sample size of the particles: 1 / sum of squared weights.
   double effectiveSampleSize = 0.0;
   int cameraCount = 0; ///< number of cameras that show the target
-  bool valid = true;   ///< true: the target is tracked, and its position is usable
+  bool isValid = true; ///< true: the target is tracked, and its position is usable
   /// Measurement in this frame; empty: the target was not seen, or the measurement is not known.
   std::optional<PositionMeasurement> measurement;
   double existenceProbability = 0.0; ///< probability that the target exists; not stored in files
   /// Particle of highest weight (MAP); empty: not known.
   std::optional<Eigen::Vector3d> bestParticle;
-  bool corrected = false; ///< the user corrected the position in this frame
-  bool ambiguous = false; ///< another object is about as likely to be the target
+  bool isCorrected = false; ///< the user corrected the position in this frame
+  bool isAmbiguous = false; ///< another object is about as likely to be the target
   /// Extent (m²) of a target that is not a ball. It describes an ellipsoid whose semi-axes lie
   /// along the eigenvectors and have the square roots of the eigenvalues as lengths. Empty if the
   /// target is a ball or the extent is not known.
@@ -57,11 +57,11 @@ struct TrajectoryHeader {
   /// Names and values of the header entries: method, seed, parameters, version.
   std::vector<std::pair<std::string, std::string>> entries;
   std::vector<TrajectoryCamera> cameras;
-  bool hasMeasurements = false;  ///< the file has columns for `measurement`
-  bool hasBestParticles = false; ///< the file has columns for `bestParticle`
-  bool hasCorrected = false;     ///< the file has a column for `corrected`
-  bool hasAmbiguous = false;     ///< the file has a column for `ambiguous`
-  bool hasExtent = false;        ///< the file has columns for `extent`
+  bool hasMeasurements = false;    ///< the file has columns for `measurement`
+  bool hasBestParticles = false;   ///< the file has columns for `bestParticle`
+  bool hasCorrectedColumn = false; ///< the file has a column for `isCorrected`
+  bool hasAmbiguousColumn = false; ///< the file has a column for `isAmbiguous`
+  bool hasExtent = false;          ///< the file has columns for `extent`
 };
 
 /// A trajectory: its header, and the samples of all targets.

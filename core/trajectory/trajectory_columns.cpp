@@ -29,8 +29,8 @@ TargetColumns emptyColumns(const std::string& target, std::size_t rows) {
   columns.existenceProbabilities.assign(rows, kNothing);
   columns.effectiveSampleSizes.assign(rows, kNothing);
   columns.cameraCounts.assign(rows, 0);
-  columns.valid.assign(rows, 0);
-  columns.ambiguous.assign(rows, 0);
+  columns.validFlags.assign(rows, 0);
+  columns.ambiguousFlags.assign(rows, 0);
   return columns;
 }
 
@@ -49,8 +49,8 @@ void putSample(const TrajectorySample& sample, std::size_t row, TargetColumns& c
   columns.existenceProbabilities[row] = sample.existenceProbability;
   columns.effectiveSampleSizes[row] = sample.effectiveSampleSize;
   columns.cameraCounts[row] = sample.cameraCount;
-  columns.valid[row] = sample.valid ? 1 : 0;
-  columns.ambiguous[row] = sample.ambiguous ? 1 : 0;
+  columns.validFlags[row] = sample.isValid ? 1 : 0;
+  columns.ambiguousFlags[row] = sample.isAmbiguous ? 1 : 0;
 }
 
 } // namespace

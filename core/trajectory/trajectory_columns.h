@@ -23,8 +23,9 @@ struct TargetColumns {
   std::vector<double> existenceProbabilities;
   std::vector<double> effectiveSampleSizes;
   std::vector<std::int32_t> cameraCounts; ///< number of cameras that show the target
-  std::vector<std::uint8_t> valid;        ///< 1: the target is tracked, and its position is usable
-  std::vector<std::uint8_t> ambiguous;    ///< 1: another object is about as likely to be the target
+  std::vector<std::uint8_t> validFlags;   ///< 1: the target is tracked, and its position is usable
+  std::vector<std::uint8_t>
+      ambiguousFlags; ///< 1: another object is about as likely to be the target
 };
 
 /// A trajectory as columns, for programs that work with arrays.

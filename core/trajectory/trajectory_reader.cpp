@@ -158,8 +158,8 @@ private:
     columns_ = std::move(cells);
     trajectory_.header.hasMeasurements = column("seen_x_m").has_value();
     trajectory_.header.hasBestParticles = column("best_x_m").has_value();
-    trajectory_.header.hasCorrected = column("corrected").has_value();
-    trajectory_.header.hasAmbiguous = column("ambiguous").has_value();
+    trajectory_.header.hasCorrectedColumn = column("corrected").has_value();
+    trajectory_.header.hasAmbiguousColumn = column("ambiguous").has_value();
     trajectory_.header.hasExtent = column("extent_xx_m2").has_value();
     for (const char* name : {"x_m", "y_m", "z_m"})
       if (!column(name))
@@ -231,9 +231,9 @@ private:
       return status;
     if (sample.frame > limits::kMaxFrames || sample.frame < -limits::kMaxFrames)
       return badNumber("frame", fmt::format("{}", sample.frame));
-    sample.valid = valid != 0;
-    sample.corrected = corrected != 0;
-    sample.ambiguous = ambiguous != 0;
+    sample.isValid = valid != 0;
+    sample.isCorrected = corrected != 0;
+    sample.isAmbiguous = ambiguous != 0;
     if (const auto index = column("target"))
       sample.target = cells[*index];
     trajectory_.samples.push_back(std::move(sample));

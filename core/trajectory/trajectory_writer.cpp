@@ -36,8 +36,8 @@ std::string headerText(const TrajectoryHeader& header) {
   }
   text.append(kColumns).append(header.hasMeasurements ? kSeenColumns : "");
   text.append(header.hasBestParticles ? kBestColumns : "");
-  text.append(header.hasCorrected ? kCorrectedColumn : "");
-  text.append(header.hasAmbiguous ? kAmbiguousColumn : "");
+  text.append(header.hasCorrectedColumn ? kCorrectedColumn : "");
+  text.append(header.hasAmbiguousColumn ? kAmbiguousColumn : "");
   text.append(header.hasExtent ? kExtentColumns : "");
   return text + '\n';
 }
@@ -54,7 +54,7 @@ std::string rowText(const TrajectorySample& sample, const TrajectoryHeader& head
   std::string text =
       fmt::format("{},{},{},{},{},{},{}", sample.time, sample.frame, csvCell(sample.target),
                   numbersText(sample.position, sample.covariance), sample.effectiveSampleSize,
-                  sample.cameraCount, sample.valid ? 1 : 0);
+                  sample.cameraCount, sample.isValid ? 1 : 0);
   if (header.hasMeasurements) {
     text += sample.measurement
                 ? ',' + numbersText(sample.measurement->position, sample.measurement->covariance)
@@ -65,11 +65,11 @@ std::string rowText(const TrajectorySample& sample, const TrajectoryHeader& head
                                               sample.bestParticle->y(), sample.bestParticle->z())
                                 : std::string(3, ',');
   }
-  if (header.hasCorrected) {
-    text += sample.corrected ? ",1" : ",0";
+  if (header.hasCorrectedColumn) {
+    text += sample.isCorrected ? ",1" : ",0";
   }
-  if (header.hasAmbiguous) {
-    text += sample.ambiguous ? ",1" : ",0";
+  if (header.hasAmbiguousColumn) {
+    text += sample.isAmbiguous ? ",1" : ",0";
   }
   if (header.hasExtent) {
     text += sample.extent ? ',' + symmetricText(*sample.extent) : std::string(6, ',');

@@ -67,25 +67,25 @@ Whereabouts whereaboutsOf(const Trajectory& trajectory, const CoveredFrames& fra
 
 } // namespace
 
-Trajectory toMeters(Trajectory trajectory, double unit) {
+Trajectory toMeters(Trajectory trajectory, double unitInMeters) {
   for (TrajectorySample& sample : trajectory.samples) {
-    sample.position *= unit;
-    sample.covariance *= unit * unit;
+    sample.position *= unitInMeters;
+    sample.covariance *= unitInMeters * unitInMeters;
     if (sample.measurement) {
-      sample.measurement->position *= unit;
-      sample.measurement->covariance *= unit * unit;
+      sample.measurement->position *= unitInMeters;
+      sample.measurement->covariance *= unitInMeters * unitInMeters;
     }
     if (sample.bestParticle) {
-      *sample.bestParticle *= unit;
+      *sample.bestParticle *= unitInMeters;
     }
     if (sample.extent) {
-      *sample.extent *= unit * unit;
+      *sample.extent *= unitInMeters * unitInMeters;
     }
   }
   return trajectory;
 }
 
-std::optional<double> likelyTruthUnit(const Trajectory& estimate, const Trajectory& truth) {
+std::optional<double> likelyTruthUnitInMeters(const Trajectory& estimate, const Trajectory& truth) {
   const CoveredFrames frames = coveredFrames(estimate);
   const Whereabouts found = whereaboutsOf(estimate, frames);
   const Whereabouts wanted = whereaboutsOf(truth, frames);

@@ -32,7 +32,7 @@ private:
       return shown().isTracked && !shown().targets.empty() &&
              std::ranges::all_of(shown().targets, [&](const TargetSnapshot& target) {
                const auto position = positionOf(target.estimate);
-               return isHeld(target.estimate) && position &&
+               return isConfirmed(target.estimate) && position &&
                       position->mean == Eigen::Vector3d(x, y, 0.0);
              });
     });

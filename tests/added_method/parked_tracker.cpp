@@ -22,7 +22,7 @@ void ParkedTracker::iterate(ThreadTeam& /*team*/) {
     estimate.best = estimate.mean;
     estimate.particleCount = 1;
     estimate.effectiveSampleSize = 1.0;
-    estimate.valid = frames_ != nullptr;
+    estimate.isValid = frames_ != nullptr;
     estimate.existenceProbability = 1.0;
   }
 }

@@ -32,12 +32,12 @@ std::shared_ptr<TrackSnapshot> trackedFrame(std::int64_t frame) {
   frames->time = timeStamp(0.1 * static_cast<double>(frame));
   snapshot->frames = frames;
   snapshot->frame = frame;
-  snapshot->iterations = frame + 1;
+  snapshot->iterationCount = frame + 1;
   snapshot->isTracked = true;
   TargetSnapshot& target = snapshot->targets.emplace_back();
   target.target.name = "ball";
   SphereEstimate sphere;
-  sphere.valid = true;
+  sphere.isValid = true;
   sphere.mean = {0.0, 0.0, 0.25 * static_cast<double>(frame)};
   target.estimate = sphere;
   return snapshot;
@@ -46,8 +46,8 @@ std::shared_ptr<TrackSnapshot> trackedFrame(std::int64_t frame) {
 BroadcastInputs csvInputs(const std::string& name) {
   BroadcastInputs inputs;
   inputs.folder = testing::TempDir();
-  inputs.settings.csv = name;
-  inputs.settings.rate = 0.0;
+  inputs.settings.csvFile = name;
+  inputs.settings.framesPerSecond = 0.0;
   return inputs;
 }
 
@@ -64,14 +64,14 @@ TEST(Broadcaster, SendsEachNewFrameOnce) {
     untracked->isTracked = false;
     auto past = trackedFrame(0);
     past->isPast = true;
-    (*broadcaster)->offer(nullptr);
-    (*broadcaster)->offer(std::make_shared<TrackSnapshot>()); // before the first frame
-    (*broadcaster)->offer(untracked);
-    (*broadcaster)->offer(past);
-    (*broadcaster)->offer(trackedFrame(1));
-    (*broadcaster)->offer(trackedFrame(1)); // published again
-    (*broadcaster)->offer(trackedFrame(2));
-    EXPECT_TRUE(becomesTrue([&] { return (*broadcaster)->sentFrames() == 2; }));
+    (*broadcaster)->enqueue(nullptr);
+    (*broadcaster)->enqueue(std::make_shared<TrackSnapshot>()); // before the first frame
+    (*broadcaster)->enqueue(untracked);
+    (*broadcaster)->enqueue(past);
+    (*broadcaster)->enqueue(trackedFrame(1));
+    (*broadcaster)->enqueue(trackedFrame(1)); // published again
+    (*broadcaster)->enqueue(trackedFrame(2));
+    EXPECT_TRUE(becomesTrue([&] { return (*broadcaster)->sentFrameCount() == 2; }));
   }
   const std::string text = fileText("broadcaster_once.csv");
   EXPECT_TRUE(text.starts_with("time_s,frame,")) << text;
@@ -86,20 +86,21 @@ TEST(Broadcaster, NeverWaitsAndCountsWhatIsDropped) {
   ASSERT_TRUE(broadcaster);
   constexpr std::int64_t kFrames = 20'000;
   for (std::int64_t frame = 1; frame <= kFrames; ++frame) {
-    (*broadcaster)->offer(trackedFrame(frame));
+    (*broadcaster)->enqueue(trackedFrame(frame));
   }
-  EXPECT_TRUE(becomesTrue(
-      [&] { return (*broadcaster)->sentFrames() + (*broadcaster)->droppedFrames() == kFrames; }));
+  EXPECT_TRUE(becomesTrue([&] {
+    return (*broadcaster)->sentFrameCount() + (*broadcaster)->droppedFrameCount() == kFrames;
+  }));
 }
 
 TEST(Broadcaster, OpensEverythingOfTheSettings) {
   TestSocket osc = TestSocket::receiver();
   TestSocket tuio = TestSocket::receiver();
   BroadcastInputs inputs = csvInputs("broadcaster_all.csv");
-  inputs.settings.tcp = 0;
-  inputs.settings.websocket = 0;
-  inputs.settings.osc = "127.0.0.1:" + std::to_string(osc.port());
-  inputs.settings.tuio = "127.0.0.1:" + std::to_string(tuio.port());
+  inputs.settings.tcpPort = 0;
+  inputs.settings.webSocketPort = 0;
+  inputs.settings.oscReceiver = "127.0.0.1:" + std::to_string(osc.port());
+  inputs.settings.tuioReceiver = "127.0.0.1:" + std::to_string(tuio.port());
   auto broadcaster = Broadcaster::open(inputs);
   ASSERT_TRUE(broadcaster) << errorSentence(broadcaster.error());
   const auto reports = (*broadcaster)->reports();
@@ -108,7 +109,7 @@ TEST(Broadcaster, OpensEverythingOfTheSettings) {
   const auto port = static_cast<std::uint16_t>(std::stoi(place.substr(place.rfind(':') + 1)));
   TestSocket client = TestSocket::connectedTo(port);
   ASSERT_TRUE(becomesTrue([&] { return (*broadcaster)->reports()[0].clientCount == 1; }));
-  (*broadcaster)->offer(trackedFrame(3));
+  (*broadcaster)->enqueue(trackedFrame(3));
   const std::string lines = client.readUntil("\"frame\":3");
   EXPECT_TRUE(lines.starts_with(R"({"type":"rig","axes":"z-up")")) << lines;
   EXPECT_NE(osc.readUntil("/dewpoint/target").find("/dewpoint/frame"), std::string::npos);
@@ -122,11 +123,11 @@ TEST(Broadcaster, NamesTheKeyThatIsWrong) {
   };
   OutputSettings settings;
   EXPECT_EQ(fieldOf(settings), "none");
-  settings.csv = "/nowhere/at/all.csv";
+  settings.csvFile = "/nowhere/at/all.csv";
   EXPECT_EQ(fieldOf(settings), "output.csv");
   settings = {};
-  settings.tcp = 0;
-  settings.listen = "192.0.2.1"; // an address that is nobody's (RFC 5737)
+  settings.tcpPort = 0;
+  settings.listenAddress = "192.0.2.1"; // an address that is nobody's (RFC 5737)
   EXPECT_EQ(fieldOf(settings), "output.tcp");
   settings = {};
   settings.token = "${DEWPOINT_NO_SUCH_VARIABLE}";

@@ -20,7 +20,7 @@ inline broadcast::RigMessage exampleRig() {
 inline broadcast::FrameMessage exampleFrame() {
   broadcast::FrameMessage frame;
   frame.frame = 12;
-  frame.sequence = 7;
+  frame.sequenceNumber = 7;
   frame.time = 0.4;
   frame.rig = std::make_shared<const broadcast::RigMessage>(exampleRig());
   broadcast::TargetMessage& seen = frame.targets.emplace_back();
@@ -32,7 +32,7 @@ inline broadcast::FrameMessage exampleFrame() {
   seen.velocity = {1.0, 0.0, -0.5};
   seen.acceleration = {0.5, 0.0, 0.0};
   seen.existenceProbability = 0.75;
-  seen.cameras = {0, 1};
+  seen.seeingCameras = {0, 1};
   broadcast::TargetMessage& lost = frame.targets.emplace_back();
   lost.id = 2;
   lost.name = "blue";

@@ -88,7 +88,7 @@ double medianReprojection(const CameraRig& rig,
     std::erase_if(list,
                   [](const MarkerObservation& v) { return std::lround(v.time * 30.0) % 10 != 0; });
   }
-  BundleProblem bundle = *wandBundle(problem);
+  BundleProblem bundle = *makeWandBundle(problem);
   for (BundleCamera& camera : bundle.cameras) {
     camera.isPoseFixed = true;
   }
@@ -124,8 +124,8 @@ TEST(Ball9Arena, WavingTheBallIsNoWorseThanTheAuthorsCalibration) {
   const double rms = std::sqrt(sum / double(truth.size()));
   EXPECT_LT(rms, 0.005);
   std::cout << "authors " << authors << " px, ours " << ours << " px; cameras " << 1000.0 * rms
-            << " mm RMS, worst " << 1000.0 * worst << " mm; kept median " << result->medianPx
-            << " px; " << result->seconds << " s\n";
+            << " mm RMS, worst " << 1000.0 * worst << " mm; kept median "
+            << result->medianResidualPx << " px; " << result->computationSeconds << " s\n";
 }
 
 } // namespace

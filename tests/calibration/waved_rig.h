@@ -72,7 +72,7 @@ inline WandProblem wave(const CameraRig& cameras, std::uint32_t seed, double noi
   WandProblem problem;
   problem.views.resize(cameras.size());
   problem.stickLength = kStick;
-  problem.starts = 2;
+  problem.startCount = 2;
   const RandomStream random(20, seed, 0, RandomPurpose::Noise);
   std::uint32_t count = 0;
   for (std::size_t c = 0; c < cameras.size(); ++c) {

@@ -91,9 +91,9 @@ TEST(CameraMotionDetector, ReportsATenthOfADegreeWithinTwoSeconds) {
     ASSERT_TRUE(delay) << degrees.transpose();
     EXPECT_GE(*delay, 0.0) << "before the bump";
     EXPECT_LT(*delay, 2.0);
-    EXPECT_TRUE(detector.camera(0).moved);
+    EXPECT_TRUE(detector.camera(0).hasMoved);
     // Half of the median's values may be from before: what is said then is between.
-    EXPECT_GT(detector.events()[0].turn.turn.norm(), 0.05 * kDegree);
+    EXPECT_GT(detector.events()[0].rotation.turn.norm(), 0.05 * kDegree);
   }
 }
 
@@ -105,7 +105,7 @@ TEST(CameraMotionDetector, MeasuresTheTurnWellAfterwards) {
     detector.watch(frameSet(
         view(picture, i < 20 ? Eigen::Vector3d::Zero().eval() : turn, std::uint32_t(i)), i / 10.0));
   }
-  EXPECT_LT((detector.camera(0).turn.turn - turn).norm(), 0.01 * kDegree);
+  EXPECT_LT((detector.camera(0).rotation.turn - turn).norm(), 0.01 * kDegree);
   EXPECT_EQ(detector.events().size(), 1U);
 }
 
@@ -114,7 +114,7 @@ TEST(CameraMotionDetector, FindsLargeBumpsToo) {
   const auto delay = delayOf(detector, Eigen::Vector3d(0.0, 4.0, 0.0) * kDegree);
   ASSERT_TRUE(delay);
   EXPECT_LT(*delay, 2.0);
-  EXPECT_NEAR(detector.events()[0].turn.turn.y() / kDegree, 4.0, 0.05);
+  EXPECT_NEAR(detector.events()[0].rotation.turn.y() / kDegree, 4.0, 0.05);
 }
 
 TEST(CameraMotionDetector, LightAndMovingThingsAreNoBump) {
@@ -130,12 +130,12 @@ TEST(CameraMotionDetector, LightAndMovingThingsAreNoBump) {
     detector.watch(frameSet(image, i / 10.0));
   }
   for (const CameraMotionEvent& event : detector.events()) {
-    ADD_FAILURE() << "frame " << event.frame << ", " << event.turn.turn.transpose() / kDegree
-                  << " degrees, sigma " << event.turn.sigma / kDegree << ", "
-                  << event.turn.usedShiftCount << " pieces";
+    ADD_FAILURE() << "frame " << event.frame << ", " << event.rotation.turn.transpose() / kDegree
+                  << " degrees, sigma " << event.rotation.sigma / kDegree << ", "
+                  << event.rotation.usedShiftCount << " pieces";
   }
-  EXPECT_TRUE(detector.camera(0).assessed);
-  EXPECT_LT(detector.camera(0).turn.turn.norm(), 0.01 * kDegree);
+  EXPECT_TRUE(detector.camera(0).isAssessed);
+  EXPECT_LT(detector.camera(0).rotation.turn.norm(), 0.01 * kDegree);
 }
 
 TEST(CameraMotionDetector, ACameraThatSeesNothingIsNotJudged) {
@@ -144,7 +144,7 @@ TEST(CameraMotionDetector, ACameraThatSeesNothingIsNotJudged) {
   for (int i = 0; i < 30; ++i) {
     detector.watch(frameSet(gray, i / 10.0));
   }
-  EXPECT_FALSE(detector.camera(0).assessed);
+  EXPECT_FALSE(detector.camera(0).isAssessed);
   EXPECT_TRUE(detector.events().empty());
 }
 
@@ -160,15 +160,15 @@ TEST(CameraMotionDetector, ComesBackAndStartsAnewWhenAccepted) {
   };
   stand(Eigen::Vector3d::Zero());
   stand(turn);
-  EXPECT_TRUE(detector.camera(0).moved);
+  EXPECT_TRUE(detector.camera(0).hasMoved);
   stand(Eigen::Vector3d::Zero());
-  EXPECT_FALSE(detector.camera(0).moved);
+  EXPECT_FALSE(detector.camera(0).hasMoved);
   stand(turn);
   EXPECT_EQ(detector.events().size(), 2U);
-  detector.accept(0, lens());
+  detector.acceptMovedCamera(0, lens());
   stand(turn);
-  EXPECT_FALSE(detector.camera(0).moved);
-  EXPECT_LT(detector.camera(0).turn.turn.norm(), 0.01 * kDegree);
+  EXPECT_FALSE(detector.camera(0).hasMoved);
+  EXPECT_LT(detector.camera(0).rotation.turn.norm(), 0.01 * kDegree);
 }
 
 } // namespace

@@ -33,7 +33,7 @@ TEST(BackgroundImage, IsAPictureOrTheMedianOfMany) {
   ASSERT_TRUE(many) << errorSentence(many.error());
   EXPECT_EQ(cv::norm(*many, plain(50), cv::NORM_INF), 0.0);
 
-  auto writer = FrameWriter::video(folder / "room.mkv", 30.0);
+  auto writer = FrameWriter::createVideo(folder / "room.mkv", 30.0);
   ASSERT_TRUE(writer);
   for (int k = 0; k < 40; ++k) {
     ASSERT_TRUE(writer->write(plain(60)));

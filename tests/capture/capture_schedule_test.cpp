@@ -14,7 +14,7 @@ std::vector<std::int64_t> numbers(const CaptureSchedule& schedule, std::size_t c
   std::vector<std::int64_t> found;
   for (std::int64_t frame = 0; frame < schedule.frameCount(); ++frame) {
     const auto picture = schedule.imageAt(camera, frame);
-    found.push_back(picture ? picture->number : -1);
+    found.push_back(picture ? picture->imageIndex : -1);
   }
   return found;
 }
@@ -22,21 +22,21 @@ std::vector<std::int64_t> numbers(const CaptureSchedule& schedule, std::size_t c
 using Numbers = std::vector<std::int64_t>;
 
 TEST(CaptureSchedule, TakesPicturesOneByOneUntilTheShortestCameraEnds) {
-  const CaptureSchedule schedule({{.count = 5}, {.count = 3}}, 10.0);
+  const CaptureSchedule schedule({{.imageCount = 5}, {.imageCount = 3}}, 10.0);
   EXPECT_EQ(schedule.frameCount(), 3);
   EXPECT_EQ(numbers(schedule, 0), (Numbers{0, 1, 2}));
   EXPECT_DOUBLE_EQ(schedule.imageAt(0, 2)->time, 0.2);
 }
 
 TEST(CaptureSchedule, TakesTheNearestPictureOfALateCamera) {
-  const CaptureSchedule schedule({{.count = 4}, {.count = 4, .delay = 0.11}}, 10.0);
+  const CaptureSchedule schedule({{.imageCount = 4}, {.imageCount = 4, .delay = 0.11}}, 10.0);
   EXPECT_EQ(numbers(schedule, 1), (Numbers{1, 2, 3, -1}));
   EXPECT_NEAR(schedule.imageAt(1, 0)->time, -0.01, 1e-12);
 }
 
 TEST(CaptureSchedule, HasNoPictureWhereOneIsMissing) {
-  const CaptureSchedule schedule({{.count = 6}, {.count = 4, .sequenceNumbers = {0, 1, 4, 5}}},
-                                 10.0);
+  const CaptureSchedule schedule(
+      {{.imageCount = 6}, {.imageCount = 4, .sequenceNumbers = {0, 1, 4, 5}}}, 10.0);
   EXPECT_EQ(schedule.frameCount(), 6);
   EXPECT_EQ(numbers(schedule, 1), (Numbers{0, 1, -1, -1, 2, 3}));
 }
@@ -44,8 +44,8 @@ TEST(CaptureSchedule, HasNoPictureWhereOneIsMissing) {
 TEST(CaptureSchedule, PairsByTime) {
   // The second camera begins later, and leaves out half a second.
   const CaptureSchedule schedule(
-      {{.count = 9, .times = {{10.0, 10.1, 10.2, 10.3, 10.4, 10.5, 10.6, 10.7, 10.8}}},
-       {.count = 4, .times = {{10.22, 10.31, 10.72, 10.83}}}},
+      {{.imageCount = 9, .times = {{10.0, 10.1, 10.2, 10.3, 10.4, 10.5, 10.6, 10.7, 10.8}}},
+       {.imageCount = 4, .times = {{10.22, 10.31, 10.72, 10.83}}}},
       10.0);
   EXPECT_EQ(numbers(schedule, 0), (Numbers{2, 3, 4, 5, 6, 7}));
   EXPECT_EQ(numbers(schedule, 1), (Numbers{0, 1, -1, -1, -1, 2}));
@@ -53,22 +53,22 @@ TEST(CaptureSchedule, PairsByTime) {
 }
 
 TEST(CaptureSchedule, CountsADelayBesideTimes) {
-  const CaptureSchedule schedule({{.count = 3, .times = {{0.0, 0.1, 0.2}}},
-                                  {.count = 4, .delay = 0.1, .times = {{0.0, 0.1, 0.2, 0.3}}}},
+  const CaptureSchedule schedule({{.imageCount = 3, .times = {{0.0, 0.1, 0.2}}},
+                                  {.imageCount = 4, .delay = 0.1, .times = {{0.0, 0.1, 0.2, 0.3}}}},
                                  10.0);
   EXPECT_EQ(numbers(schedule, 1), (Numbers{1, 2, 3}));
 }
 
 TEST(CaptureSchedule, LetsASlowCameraBeWithoutAPictureInBetween) {
-  const std::vector<Pictures> cameras{{.count = 5, .times = {{0.0, 0.1, 0.2, 0.3, 0.4}}},
-                                      {.count = 3, .times = {{0.0, 0.2, 0.4}}}};
+  const std::vector<Pictures> cameras{{.imageCount = 5, .times = {{0.0, 0.1, 0.2, 0.3, 0.4}}},
+                                      {.imageCount = 3, .times = {{0.0, 0.2, 0.4}}}};
   EXPECT_NEAR(CaptureSchedule::highestRateOf(cameras), 10.0, 1e-9);
   EXPECT_EQ(numbers(CaptureSchedule(cameras, 10.0), 1), (Numbers{0, -1, 1, -1, 2}));
 }
 
 TEST(CaptureSchedule, HasNoFramesOfCamerasThatNeverRanTogether) {
   const CaptureSchedule schedule(
-      {{.count = 2, .times = {{0.0, 0.1}}}, {.count = 2, .times = {{5.0, 5.1}}}}, 10.0);
+      {{.imageCount = 2, .times = {{0.0, 0.1}}}, {.imageCount = 2, .times = {{5.0, 5.1}}}}, 10.0);
   EXPECT_EQ(schedule.frameCount(), 0);
 }
 

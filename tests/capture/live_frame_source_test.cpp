@@ -77,7 +77,7 @@ struct FakeDevice {
   std::atomic<int> opened{0};
   std::atomic<int> sent{0};
   std::atomic<bool> frozen{false}; ///< sends the same picture all the time
-  std::string remark = {};         ///< does not change
+  std::string warning = {};        ///< does not change
 };
 
 class FakeStream final : public LiveStream {
@@ -102,7 +102,7 @@ public:
     return {48, device_->width, CV_8UC3,
             cv::Scalar(60 + number % 150, 60 + number / 150 % 150, 90)};
   }
-  std::string remark() const override { return device_->remark; }
+  std::string warning() const override { return device_->warning; }
 
 private:
   std::shared_ptr<FakeDevice> device_;
@@ -117,17 +117,17 @@ LiveStreamFactory makes(std::vector<std::shared_ptr<FakeDevice>> devices) {
 TEST(LiveFrameSource, AnImageKnowsWhenItPassedTheStages) {
   const auto device = std::make_shared<FakeDevice>();
   LiveCamera late = camera("0");
-  late.delay = 0.05;
+  late.delaySeconds = 0.05;
   const auto before = std::chrono::steady_clock::now();
   const auto source = openLive({late}, makes({device}));
   ASSERT_TRUE(source) << errorSentence(source.error());
   const FrameSetPtr set = waitFor(**source, complete);
   ASSERT_TRUE(set);
   const LiveInstants& passed = set->frames[0]->instants;
-  EXPECT_GT(passed.arrived, before);
-  EXPECT_EQ(passed.captured, passed.arrived - 50ms); // its light is that much older
-  EXPECT_GE(passed.decoded, passed.arrived);
-  EXPECT_LE(passed.decoded, std::chrono::steady_clock::now());
+  EXPECT_GT(passed.arrivedAt, before);
+  EXPECT_EQ(passed.capturedAt, passed.arrivedAt - 50ms); // its light is that much older
+  EXPECT_GE(passed.decodedAt, passed.arrivedAt);
+  EXPECT_LE(passed.decodedAt, std::chrono::steady_clock::now());
 }
 
 /// A camera whose images are on their way for 0.3 s, and which reports when they were captured.
@@ -167,7 +167,7 @@ TEST(LiveFrameSource, ASetWithoutImagesIsNotAheadOfTheNextImage) {
 
 TEST(LiveFrameSource, reportsWhatIsWrongWithACameraThatDelivers) {
   const auto device = std::make_shared<FakeDevice>();
-  device->remark = "controls were not set: gain";
+  device->warning = "controls were not set: gain";
   const auto opened = openLive({camera("0")}, makes({device}));
   ASSERT_TRUE(opened);
   FrameSetSource& source = **opened;
@@ -326,7 +326,7 @@ TEST(LiveFrameSource, countsFramesNobodyLookedAt) {
   ASSERT_TRUE(source);
   const auto first = waitFor(**source, complete);
   ASSERT_TRUE(first);
-  while ((*source)->droppedFrames() < 5) {
+  while ((*source)->droppedFrameCount() < 5) {
     std::this_thread::sleep_for(1ms);
   }
   const auto second = waitFor(**source, complete);

@@ -71,7 +71,7 @@ Played play(const std::vector<Player>& players, double duration, TimeStamp each 
       return;
     }
     asked = now;
-    while (const auto frames = pairing.take(now)) {
+    while (const auto frames = pairing.takeGroup(now)) {
       TimeStamp last{};
       for (const FramePtr& frame : *frames) {
         last = frame ? std::max(last, cameAt.at(frame.get())) : last;
@@ -165,7 +165,7 @@ TEST(LivePairing, TheLatencyOfReportedTimesIsWaitedFor) {
         shown >= TimeStamp{} && shown % kInterval == TimeStamp{}) {
       pairing.add(1, frameAt(shown / kInterval, shown));
     }
-    while (const auto frames = pairing.take(now)) {
+    while (const auto frames = pairing.takeGroup(now)) {
       EXPECT_TRUE((*frames)[0] && (*frames)[1]);
       complete += (*frames)[0] && (*frames)[1] ? 1 : 0;
     }

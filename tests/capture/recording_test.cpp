@@ -40,7 +40,7 @@ void writeAll(Result<FrameWriter> writer, int frames) {
   }
   const auto finished = writer->finish();
   ASSERT_TRUE(finished) << errorSentence(finished.error());
-  EXPECT_EQ(writer->framesWritten(), frames);
+  EXPECT_EQ(writer->writtenFrameCount(), frames);
 }
 
 RecordedCamera video(const std::string& path, const std::string& name = "left") {
@@ -60,7 +60,7 @@ RecordedCamera generated(std::int64_t frames) {
   RecordedCamera camera = video("", "made");
   camera.kind = RecordedCamera::Kind::Generated;
   camera.generate = noise;
-  camera.generatedFrames = frames;
+  camera.generatedFrameCount = frames;
   return camera;
 }
 
@@ -86,7 +86,7 @@ class VideoRates : public testing::TestWithParam<double> {};
 
 TEST_P(VideoRates, comeBackBitExactInSequenceAndAfterEverySeek) {
   const TemporaryFolder home;
-  writeAll(FrameWriter::video(home / "a.mkv", GetParam()), 150);
+  writeAll(FrameWriter::createVideo(home / "a.mkv", GetParam()), 150);
   const auto opened = openRecording({video(home / "a.mkv")}, 0);
   ASSERT_TRUE(opened) << errorSentence(opened.error());
   FrameSetSource& source = **opened;
@@ -140,7 +140,7 @@ TEST(Recording, stampsFramesByTheRate) {
 
 TEST(Recording, aTruncatedVideoEndsEarly) {
   const TemporaryFolder home;
-  writeAll(FrameWriter::video(home / "whole.mkv", 30), 60);
+  writeAll(FrameWriter::createVideo(home / "whole.mkv", 30), 60);
   std::filesystem::copy_file(home / "whole.mkv", home / "cut.mkv");
   std::filesystem::resize_file(home / "cut.mkv",
                                std::filesystem::file_size(home / "whole.mkv") / 2);
@@ -189,8 +189,8 @@ TEST(Recording, aContainerWithoutFrameCountIsCounted) {
 
 TEST(Recording, differentLengthsAndRatesAreNoticed) {
   const TemporaryFolder home;
-  writeAll(FrameWriter::video(home / "a.mkv", 30), 12);
-  writeAll(FrameWriter::video(home / "b.mkv", 15), 9);
+  writeAll(FrameWriter::createVideo(home / "a.mkv", 30), 12);
+  writeAll(FrameWriter::createVideo(home / "b.mkv", 15), 9);
   const auto source = openRecording({video(home / "a.mkv"), video(home / "b.mkv", "right")}, 0);
   ASSERT_TRUE(source) << errorSentence(source.error());
   EXPECT_EQ((*source)->frameCount(), 9);
@@ -210,7 +210,7 @@ TEST(Recording, differentLengthsAndRatesAreNoticed) {
 
 TEST(Recording, aWrongSizeIsRefused) {
   const TemporaryFolder home;
-  writeAll(FrameWriter::video(home / "a.mkv", 30), 2);
+  writeAll(FrameWriter::createVideo(home / "a.mkv", 30), 2);
   RecordedCamera camera = video(home / "a.mkv");
   camera.width = 320;
   camera.height = 240;
@@ -243,7 +243,7 @@ TEST(Recording, rotatesClockwise) {
 TEST(Recording, mirrorsAfterTurning) {
   RecordedCamera camera = generated(1);
   camera.rotateDegrees = 90;
-  camera.mirrored = true;
+  camera.isMirrored = true;
   const auto source = openRecording({camera}, 0);
   ASSERT_TRUE(source) << errorSentence(source.error());
   const cv::Mat image = (*source)->next().value()->frames[0]->image;
@@ -295,7 +295,7 @@ TEST(Recording, foldersOfPicturesComeInNaturalOrder) {
 
 TEST(Recording, aDamagedPictureIsNamed) {
   const TemporaryFolder home;
-  writeAll(FrameWriter::images(home / "p"), 3);
+  writeAll(FrameWriter::createImageFolder(home / "p"), 3);
   std::ofstream(home / "p/000001.png", std::ios::trunc) << "broken";
   cv::imwrite(home / "p/000002.png", cv::Mat::zeros(8, 8, CV_8UC3));
   RecordedCamera camera = folder(home / "p");
@@ -323,11 +323,11 @@ TEST(Recording, aThrowingGeneratorIsAnError) {
 
 TEST(FrameWriter, refusesWhatItCannotWrite) {
   const TemporaryFolder home;
-  std::ofstream(home / "file") << "in the way\n";
-  EXPECT_EQ(FrameWriter::images(home / "file").error().code, ErrorCode::FileUnwritable);
-  EXPECT_EQ(FrameWriter::video(home / "file/a.mkv", 30).error().code, ErrorCode::FileUnwritable);
-  EXPECT_EQ(FrameWriter::video(home / "a.mkv", 0).error().code, ErrorCode::BadValue);
-  auto writer = FrameWriter::images(home / "p");
+  std::ofstream(home / "f") << "in the way\n";
+  EXPECT_EQ(FrameWriter::createImageFolder(home / "f").error().code, ErrorCode::FileUnwritable);
+  EXPECT_EQ(FrameWriter::createVideo(home / "f/a.mkv", 30).error().code, ErrorCode::FileUnwritable);
+  EXPECT_EQ(FrameWriter::createVideo(home / "a.mkv", 0).error().code, ErrorCode::BadValue);
+  auto writer = FrameWriter::createImageFolder(home / "p");
   ASSERT_TRUE(writer);
   EXPECT_EQ(writer->write(cv::Mat()).error().code, ErrorCode::BadValue);
   ASSERT_TRUE(writer->write(noise(0)));
@@ -373,10 +373,10 @@ TEST(Recording, PicturesOfALateCameraAreMatchedByTime) {
   RecordedCamera punctual = generated(6);
   punctual.name = "punctual";
   RecordedCamera late = generated(6);
-  late.delay = 0.24; // at 10 pictures per second: 2 pictures and 40 ms
+  late.delaySeconds = 0.24; // at 10 pictures per second: 2 pictures and 40 ms
   RecordedCamera early = generated(6);
   early.name = "early";
-  early.delay = -0.1;
+  early.delaySeconds = -0.1;
   const auto source = openRecording({punctual, late, early}, 10.0);
   ASSERT_TRUE(source) << errorSentence(source.error());
   EXPECT_EQ((*source)->frameCount(), 6);

@@ -67,7 +67,7 @@ TEST_F(TimedRecording, MissingNumbersOfAFolderAreNoImage) {
 TEST_F(TimedRecording, PicturesArePairedByTheirTimes) {
   RecordedCamera left = folder("left", {0, 1, 2, 3});
   RecordedCamera right = folder("right", {0, 1});
-  left.times = right.times =
+  left.timesFile = right.timesFile =
       table("camera,time_ms\nleft,100\nleft,200\nleft,300\nleft,400\nright,190\nright,405\n");
   const auto source = openRecording({left, right}, 0);
   ASSERT_TRUE(source) << errorSentence(source.error());
@@ -83,12 +83,12 @@ TEST_F(TimedRecording, PicturesArePairedByTheirTimes) {
 TEST_F(TimedRecording, AWrongTableIsRefused) {
   RecordedCamera left = folder("left", {0, 1});
   RecordedCamera right = folder("right", {0, 1});
-  left.times = table("0\n1\n");
+  left.timesFile = table("0\n1\n");
   const auto mixed = openRecording({left, right}, 0);
   ASSERT_FALSE(mixed);
   EXPECT_EQ(mixed.error().code, ErrorCode::MissingKey);
   EXPECT_EQ(mixed.error().field, "camera 'right'");
-  left.times = table("0\n1\n2\n");
+  left.timesFile = table("0\n1\n2\n");
   const auto longer = openRecording({left}, 0);
   ASSERT_FALSE(longer);
   EXPECT_EQ(longer.error().detail, "it has 3 times, but there are 2 images");

@@ -49,7 +49,7 @@ TEST(VideoEncoder, WritesEveryEncodingThatItOffers) {
     EXPECT_FALSE(std::filesystem::exists(output.file)); // not before it is complete
     const auto finished = encoder->finish();
     EXPECT_TRUE(finished) << encoding.id;
-    EXPECT_EQ(encoder->framesWritten(), 20);
+    EXPECT_EQ(encoder->writtenFrameCount(), 20);
     cv::VideoCapture video(output.file.string(), cv::CAP_FFMPEG);
     cv::Mat picture;
     int frames = 0;

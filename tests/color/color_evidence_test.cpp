@@ -60,14 +60,14 @@ double weightOf(const std::vector<WeightedHsiColor>& colors, const BgrColor& col
 // Samples of 100 and 300 pixels: a target of 200 on average. Each click counts half of it, however
 // large its region and however many colors were kept of it.
 TEST(ColorEvidence, EveryClickCountsTheSame) {
-  const ColorEvidence evidence =
-      colorEvidence({sampleOf({kRed}, 100), sampleOf({kDarkRed, kDarkRed, kRed, kRed}, 300)}, {});
-  EXPECT_EQ(evidence.targetArea, 200.0);
+  const ColorEvidence evidence = collectColorEvidence(
+      {sampleOf({kRed}, 100), sampleOf({kDarkRed, kDarkRed, kRed, kRed}, 300)}, {});
+  EXPECT_EQ(evidence.targetAreaPx, 200.0);
   EXPECT_NEAR(evidence.targetWeight, 200.0, 1e-9);
-  EXPECT_NEAR(weightOf(evidence.target, kRed), 100.0 + 50.0, 1e-9);
-  EXPECT_NEAR(weightOf(evidence.target, kDarkRed), 50.0, 1e-9);
+  EXPECT_NEAR(weightOf(evidence.targetColors, kRed), 100.0 + 50.0, 1e-9);
+  EXPECT_NEAR(weightOf(evidence.targetColors, kDarkRed), 50.0, 1e-9);
   EXPECT_EQ(evidence.restWeight, 0.0);
-  EXPECT_EQ(evidence.imageShare, 0.0);
+  EXPECT_EQ(evidence.targetShareOfImage, 0.0);
   EXPECT_TRUE(evidence.targetMasks.empty());
   EXPECT_EQ(evidence.typicalColor, kRed); // of five colors three are red
 }
@@ -75,16 +75,16 @@ TEST(ColorEvidence, EveryClickCountsTheSame) {
 // What is excluded says nothing about the target's size, and weighs as much as the whole target.
 TEST(ColorEvidence, AnExcludedSampleIsAsMuchBackgroundAsATargetIsLarge) {
   const ColorEvidence evidence =
-      colorEvidence({sampleOf({kRed}, 100), sampleOf({kGreen}, 5000, true)}, {});
-  EXPECT_EQ(evidence.targetArea, 100.0);
+      collectColorEvidence({sampleOf({kRed}, 100), sampleOf({kGreen}, 5000, true)}, {});
+  EXPECT_EQ(evidence.targetAreaPx, 100.0);
   EXPECT_NEAR(evidence.targetWeight, 100.0, 1e-9);
-  EXPECT_NEAR(weightOf(evidence.rest, kGreen), 100.0, 1e-9);
+  EXPECT_NEAR(weightOf(evidence.restColors, kGreen), 100.0, 1e-9);
   EXPECT_EQ(evidence.typicalColor, kRed);
 }
 
 TEST(ColorEvidence, WithoutASampleAllIsRest) {
-  const ColorEvidence evidence = colorEvidence({}, {wallWith({{kSquare, kRed}})});
-  EXPECT_TRUE(evidence.target.empty());
+  const ColorEvidence evidence = collectColorEvidence({}, {wallWith({{kSquare, kRed}})});
+  EXPECT_TRUE(evidence.targetColors.empty());
   EXPECT_EQ(evidence.targetWeight, 0.0);
   EXPECT_EQ(evidence.restWeight, 1200.0);
   ASSERT_EQ(evidence.targetMasks.size(), 1U);
@@ -94,13 +94,13 @@ TEST(ColorEvidence, WithoutASampleAllIsRest) {
 TEST(ColorEvidence, TheClickedRegionAndItsRimAreNoBackground) {
   const cv::Mat image = wallWith({{kSquare, kRed}});
   const ColorSample sample = clickOn(image, {14, 12});
-  ASSERT_EQ(sample.area, kRegion);
-  const ColorEvidence evidence = colorEvidence({sample}, {image});
-  EXPECT_EQ(evidence.targetArea, kRegion);
-  EXPECT_NEAR(evidence.imageShare, kRegion / 1200.0, 1e-12);
+  ASSERT_EQ(sample.areaPx, kRegion);
+  const ColorEvidence evidence = collectColorEvidence({sample}, {image});
+  EXPECT_EQ(evidence.targetAreaPx, kRegion);
+  EXPECT_NEAR(evidence.targetShareOfImage, kRegion / 1200.0, 1e-12);
   EXPECT_EQ(cv::countNonZero(evidence.targetMasks[0]), kWidened);
   EXPECT_EQ(evidence.restWeight, 1200.0 - kWidened);
-  EXPECT_EQ(weightOf(evidence.rest, kRed), 0.0);
+  EXPECT_EQ(weightOf(evidence.restColors, kRed), 0.0);
 }
 
 // Two images show the target once each: it weighs twice its area. The second image has no click;
@@ -108,14 +108,15 @@ TEST(ColorEvidence, TheClickedRegionAndItsRimAreNoBackground) {
 TEST(ColorEvidence, InOtherImagesTheOneThingOfItsColorIsTheTarget) {
   const cv::Mat clicked = wallWith({{kSquare, kRed}});
   const cv::Mat other = wallWith({{{20, 5, 15, 10}, kRed}, {{2, 2, 6, 6}, kGreen}});
-  const ColorEvidence evidence = colorEvidence({clickOn(clicked, {14, 12})}, {clicked, other});
+  const ColorEvidence evidence =
+      collectColorEvidence({clickOn(clicked, {14, 12})}, {clicked, other});
   EXPECT_NEAR(evidence.targetWeight, 2.0 * kRegion, 1e-9);
   ASSERT_EQ(evidence.targetMasks.size(), 2U);
   // 15 x 10 pixels, widened likewise: 10 rows of 21, and 21, 19 and 15 above and below.
   constexpr int kOther = 10 * 21 + 2 * (21 + 19 + 15);
   EXPECT_EQ(cv::countNonZero(evidence.targetMasks[1]), kOther);
   EXPECT_EQ(evidence.restWeight, 2.0 * 1200.0 - kWidened - kOther);
-  EXPECT_NEAR(weightOf(evidence.rest, kGreen), 36.0, 1e-9);
+  EXPECT_NEAR(weightOf(evidence.restColors, kGreen), 36.0, 1e-9);
 }
 
 // 10 x 10 was clicked: what is more than four times, or less than a sixteenth as large, is not it,
@@ -124,9 +125,10 @@ TEST(ColorEvidence, AThingOfAnotherSizeIsNotTheTarget) {
   const cv::Mat clicked = wallWith({{kSquare, kRed}});
   const ColorSample sample = clickOn(clicked, {14, 12});
   for (const cv::Rect& place : {cv::Rect(5, 5, 21, 20), cv::Rect(5, 5, 3, 2)}) {
-    const ColorEvidence evidence = colorEvidence({sample}, {clicked, wallWith({{place, kRed}})});
+    const ColorEvidence evidence =
+        collectColorEvidence({sample}, {clicked, wallWith({{place, kRed}})});
     EXPECT_EQ(cv::countNonZero(evidence.targetMasks[1]), 0) << place;
-    EXPECT_NEAR(weightOf(evidence.rest, kRed), place.area(), 1e-9) << place;
+    EXPECT_NEAR(weightOf(evidence.restColors, kRed), place.area(), 1e-9) << place;
   }
 }
 
@@ -134,7 +136,7 @@ TEST(ColorEvidence, AThingOfAnotherSizeIsNotTheTarget) {
 TEST(ColorEvidence, AClickWhoseThingIsGoneIsLookedForElsewhere) {
   const ColorSample sample = clickOn(wallWith({{kSquare, kRed}}), {14, 12});
   const cv::Mat now = wallWith({{{26, 16, 10, 10}, kRed}});
-  const ColorEvidence evidence = colorEvidence({sample}, {now});
+  const ColorEvidence evidence = collectColorEvidence({sample}, {now});
   const cv::Mat& mask = evidence.targetMasks[0];
   // Found by its color, it keeps its corners.
   constexpr int kWhole = 10 * 16 + 2 * (16 + 14 + 10);
@@ -145,7 +147,8 @@ TEST(ColorEvidence, AClickWhoseThingIsGoneIsLookedForElsewhere) {
 
 TEST(ColorEvidence, ACameraWithoutAnImageSaysNothing) {
   const cv::Mat image = wallWith({{kSquare, kRed}});
-  const ColorEvidence evidence = colorEvidence({clickOn(image, {14, 12}, 1)}, {cv::Mat(), image});
+  const ColorEvidence evidence =
+      collectColorEvidence({clickOn(image, {14, 12}, 1)}, {cv::Mat(), image});
   ASSERT_EQ(evidence.targetMasks.size(), 2U);
   EXPECT_TRUE(evidence.targetMasks[0].empty());
   EXPECT_EQ(cv::countNonZero(evidence.targetMasks[1]), kWidened);
@@ -158,11 +161,11 @@ TEST(ColorEvidence, WithARangeTheRestOfTheThingIsTheTargetToo) {
   const cv::Mat clicked = wallWith({{kSquare, kRed}});
   const ColorSample sample = clickOn(clicked, {14, 12});
   const cv::Mat shaded = wallWith({{{5, 5, 10, 10}, kRed}, {{15, 5, 10, 10}, kDarkRed}});
-  const auto typical = colorEvidence({sample}, {clicked, shaded});
-  EXPECT_NEAR(weightOf(typical.rest, kDarkRed), 7 * 10, 1e-9); // but for the rim of 3 pixels
+  const auto typical = collectColorEvidence({sample}, {clicked, shaded});
+  EXPECT_NEAR(weightOf(typical.restColors, kDarkRed), 7 * 10, 1e-9); // but for the rim of 3 pixels
   const ColorRange red{340.0, 20.0, 0.2, 1.0, 0.05, 1.0};
-  const auto whole = colorEvidence({sample}, {clicked, shaded}, red);
-  EXPECT_EQ(weightOf(whole.rest, kDarkRed), 0.0);
+  const auto whole = collectColorEvidence({sample}, {clicked, shaded}, red);
+  EXPECT_EQ(weightOf(whole.restColors, kDarkRed), 0.0);
 }
 
 // What an image shows of a click does not change with the range, and what it has beside the target
@@ -189,20 +192,21 @@ void expectSameColors(const std::vector<WeightedHsiColor>& colors,
 using Steps = std::tuple<int, int, int>; // grown regions, flood fills, counted images
 
 Steps stepsOf(const ColorEvidence& evidence) {
-  return {evidence.work.grownRegions, evidence.work.floodFills, evidence.work.countedImages};
+  return {evidence.workCounts.grownRegionCount, evidence.workCounts.floodFillCount,
+          evidence.workCounts.countedImageCount};
 }
 
 /// The evidence from what is known; all of it is compared with what is collected without.
 ColorEvidence fromKnown(const std::vector<ColorSample>& samples, const std::vector<cv::Mat>& images,
                         const ColorRange& range, const ColorEvidence& known) {
-  const ColorEvidence evidence = colorEvidence(samples, images, range, known);
-  const ColorEvidence wanted = colorEvidence(samples, images, range);
-  expectSameColors(evidence.target, wanted.target);
-  expectSameColors(evidence.rest, wanted.rest);
+  const ColorEvidence evidence = collectColorEvidence(samples, images, range, known);
+  const ColorEvidence wanted = collectColorEvidence(samples, images, range);
+  expectSameColors(evidence.targetColors, wanted.targetColors);
+  expectSameColors(evidence.restColors, wanted.restColors);
   EXPECT_EQ(bitsOf(evidence.targetWeight), bitsOf(wanted.targetWeight));
   EXPECT_EQ(bitsOf(evidence.restWeight), bitsOf(wanted.restWeight));
-  EXPECT_EQ(bitsOf(evidence.targetArea), bitsOf(wanted.targetArea));
-  EXPECT_EQ(bitsOf(evidence.imageShare), bitsOf(wanted.imageShare));
+  EXPECT_EQ(bitsOf(evidence.targetAreaPx), bitsOf(wanted.targetAreaPx));
+  EXPECT_EQ(bitsOf(evidence.targetShareOfImage), bitsOf(wanted.targetShareOfImage));
   EXPECT_EQ(evidence.typicalColor, wanted.typicalColor);
   EXPECT_EQ(evidence.typicalRanges, wanted.typicalRanges);
   EXPECT_EQ(evidence.targetMasks.size(), wanted.targetMasks.size());
@@ -217,7 +221,7 @@ ColorEvidence fromKnown(const std::vector<ColorSample>& samples, const std::vect
 TEST(KnownColorEvidence, OfOneCameraIsUsedWhole) {
   const cv::Mat image = wallWith({{kSquare, kRed}});
   const std::vector samples{clickOn(image, {14, 12})};
-  const ColorEvidence known = colorEvidence(samples, {image});
+  const ColorEvidence known = collectColorEvidence(samples, {image});
   EXPECT_EQ(stepsOf(known), Steps(1, 0, 1));
   EXPECT_EQ(stepsOf(fromKnown(samples, {image}, kRedRange, known)), Steps(0, 0, 0));
 }
@@ -226,7 +230,7 @@ TEST(KnownColorEvidence, OfClicksInEveryImageIsUsedWhole) {
   const cv::Mat one = wallWith({{kSquare, kRed}});
   const cv::Mat other = wallWith({{{20, 5, 10, 10}, kRed}});
   const std::vector samples{clickOn(one, {14, 12}), clickOn(other, {24, 9}, 1)};
-  const ColorEvidence known = colorEvidence(samples, {one, other});
+  const ColorEvidence known = collectColorEvidence(samples, {one, other});
   EXPECT_EQ(stepsOf(known), Steps(2, 0, 2));
   EXPECT_EQ(stepsOf(fromKnown(samples, {one, other}, kRedRange, known)), Steps(0, 0, 0));
 }
@@ -237,7 +241,7 @@ TEST(KnownColorEvidence, OnlyAnImageWithoutAClickIsSearchedAgain) {
   const cv::Mat clicked = wallWith({{kSquare, kRed}});
   const cv::Mat shaded = wallWith({{{5, 5, 10, 10}, kRed}, {{15, 5, 10, 10}, kDarkRed}});
   const std::vector samples{clickOn(clicked, {14, 12})};
-  const ColorEvidence known = colorEvidence(samples, {clicked, shaded});
+  const ColorEvidence known = collectColorEvidence(samples, {clicked, shaded});
   EXPECT_EQ(stepsOf(known), Steps(1, 1, 2));
   const ColorEvidence red = fromKnown(samples, {clicked, shaded}, kRedRange, known);
   EXPECT_EQ(stepsOf(red), Steps(0, 1, 1));
@@ -250,7 +254,7 @@ TEST(KnownColorEvidence, AChangedImageIsReadAgain) {
   const cv::Mat clicked = wallWith({{kSquare, kRed}});
   const cv::Mat other = wallWith({{{20, 5, 15, 10}, kRed}});
   const std::vector samples{clickOn(clicked, {14, 12})};
-  const ColorEvidence known = colorEvidence(samples, {clicked, other});
+  const ColorEvidence known = collectColorEvidence(samples, {clicked, other});
   const cv::Mat later = wallWith({{kSquare, kRed}, {{30, 20, 5, 5}, kGreen}});
   EXPECT_EQ(stepsOf(fromKnown(samples, {later, other}, kRedRange, known)), Steps(1, 1, 1));
   // What was clicked has gone: it is searched by the samples' color, then by the range.
@@ -270,7 +274,7 @@ TEST(KnownColorEvidence, WithAnExcludedSampleAllIsCountedAgainForTheSameBits) {
   const std::vector samples{
       clickOn(clicked, {14, 12}),
       sampleOf({kGreen, kGreen, kGreen, kDarkRed, kRed, kRed, kDarkRed}, 7, true)};
-  const ColorEvidence known = colorEvidence(samples, {clicked, shaded});
+  const ColorEvidence known = collectColorEvidence(samples, {clicked, shaded});
   EXPECT_EQ(stepsOf(fromKnown(samples, {clicked, shaded}, kRedRange, known)), Steps(0, 1, 2));
   EXPECT_EQ(stepsOf(fromKnown(samples, {clicked, shaded}, kGreenRange, known)), Steps(0, 1, 0));
 }
@@ -304,12 +308,12 @@ TEST(ColorEvidence, LeavesOutWhatIsUndecided) {
   undecided(kSquare).setTo(255);
   const std::vector<ColorSample> samples{clickOn(clicked, {15, 13})};
   const ColorEvidence with =
-      colorEvidence(samples, {clicked, other}, std::nullopt, {{}, undecided});
-  EXPECT_EQ(weightOf(with.rest, kGreen), 0.0);
-  EXPECT_GT(weightOf(colorEvidence(samples, {clicked, other}).rest, kGreen), 99.0);
+      collectColorEvidence(samples, {clicked, other}, std::nullopt, {{}, undecided});
+  EXPECT_EQ(weightOf(with.restColors, kGreen), 0.0);
+  EXPECT_GT(weightOf(collectColorEvidence(samples, {clicked, other}).restColors, kGreen), 99.0);
   const ColorRange range{100.0, 140.0, 0.0, 1.0, 0.0, 1.0};
-  const ColorEvidence again = colorEvidence(samples, {clicked, other}, range, with);
-  EXPECT_EQ(weightOf(again.rest, kGreen), 0.0);
+  const ColorEvidence again = collectColorEvidence(samples, {clicked, other}, range, with);
+  EXPECT_EQ(weightOf(again.restColors, kGreen), 0.0);
 }
 
 } // namespace

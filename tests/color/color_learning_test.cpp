@@ -71,7 +71,7 @@ ColorSample clickAt(const cv::Mat& image, cv::Point at, bool excluded = false) {
   ColorSample place;
   place.x = at.x;
   place.y = at.y;
-  place.excluded = excluded;
+  place.isExcluded = excluded;
   return *takeSample(image, place);
 }
 
@@ -152,7 +152,7 @@ TEST(ColorSample, KeepsItsPlaceAndAtMostSoManyColors) {
   const ColorSample sample = clickAt(image, {122, 101});
   EXPECT_EQ(sample.x, 122);
   EXPECT_EQ(sample.colors.size(), ColorSample::kMaxColors);
-  EXPECT_NEAR(sample.area, std::numbers::pi * kRadius * kRadius,
+  EXPECT_NEAR(sample.areaPx, std::numbers::pi * kRadius * kRadius,
               0.13 * std::numbers::pi * kRadius * kRadius);
 }
 
@@ -163,7 +163,7 @@ TEST(ColorSample, ABoxBoundsIt) {
   place.y = 95;
   place.width = 10;
   place.height = 8;
-  EXPECT_LE(takeSample(image, place)->area, 80);
+  EXPECT_LE(takeSample(image, place)->areaPx, 80);
 }
 
 TEST(ColorSample, PlacesOutsideAreRefused) {
@@ -208,8 +208,8 @@ TEST(ColorLearning, ATwinIsNamedWhereItIs) {
   ASSERT_EQ(seen->assessment.distractors.size(), 1U);
   const DistractorRegion& twin = seen->assessment.distractors.front();
   EXPECT_EQ(twin.camera, 1);
-  EXPECT_EQ(twin.horizontal, HorizontalThird::Right);
-  EXPECT_EQ(twin.vertical, VerticalThird::Top);
+  EXPECT_EQ(twin.horizontalThird, HorizontalThird::Right);
+  EXPECT_EQ(twin.verticalThird, VerticalThird::Top);
   EXPECT_EQ(twin.color, ColorName::Pink);
   EXPECT_TRUE(twin.box.contains({290, 30}));
   EXPECT_EQ(seen->assessment.suggestion, ColorSuggestion::FollowAll);
@@ -252,7 +252,7 @@ TEST(ColorLearning, TheVerdictFollowsTheRange) {
   ColorAssessment good;
   good.separability = 0.9;
   EXPECT_TRUE(good.isGood());
-  good.targetKnown = false; // then there is no score
+  good.isTargetKnown = false; // then there is no score
   EXPECT_FALSE(good.isGood());
   const ColorAssessment none = assessColor(ColorRange{100.0, 110.0, 0.5}, {sample}, {image});
   EXPECT_EQ(none.separability, 0.0);

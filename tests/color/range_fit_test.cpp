@@ -34,8 +34,8 @@ TEST(RangeFit, AScoreIsTheF1OfWhatMatches) {
   const std::vector<WeightedHsiColor> target{cell(10, 60), cell(50, 40)};
   const std::vector<WeightedHsiColor> rest{cell(12, 20), cell(200, 500), cell(12, 30, 0.9)};
   const RangeScore score = scoreRange(ColorRange{0.0, 20.0, 0.4, 0.6, 0.0, 1.0}, target, rest);
-  EXPECT_EQ(score.target, 60.0);
-  EXPECT_EQ(score.rest, 20.0);
+  EXPECT_EQ(score.targetWeight, 60.0);
+  EXPECT_EQ(score.restWeight, 20.0);
   EXPECT_NEAR(score.f1, 120.0 / 180.0, 1e-12);
   EXPECT_EQ(scoreRange(ColorRange{0.0, 20.0}, {}, rest).f1, 0.0);
 }
@@ -116,7 +116,7 @@ TEST(RangeFit, EveryHueIsLetThroughWhereItPays) {
 
 TEST(RangeFit, BlackIsNeverInARange) {
   const ColorRange found = fitRange({cell(10, 50), cell(kHueOfGray, 50, 0.0, 0.0)}, {});
-  EXPECT_NEAR(scoreRange(found, {cell(kHueOfGray, 50, 0.0, 0.0)}, {}).target, 0.0, 1e-12);
+  EXPECT_NEAR(scoreRange(found, {cell(kHueOfGray, 50, 0.0, 0.0)}, {}).targetWeight, 0.0, 1e-12);
   EXPECT_NEAR(found.hueMin, 9.5, 1e-9);
 }
 

@@ -16,8 +16,8 @@ inline color::ColorSample sampleOf(std::vector<color::BgrColor> colors, int area
                                    bool excluded = false) {
   color::ColorSample sample;
   sample.colors = std::move(colors);
-  sample.area = area;
-  sample.excluded = excluded;
+  sample.areaPx = area;
+  sample.isExcluded = excluded;
   return sample;
 }
 

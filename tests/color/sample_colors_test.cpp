@@ -21,8 +21,8 @@ const BgrColor kYellow{40, 200, 220};
 
 ColorSample evenSample(const BgrColor& bgr, bool excluded = false) {
   ColorSample sample;
-  sample.excluded = excluded;
-  sample.area = 400;
+  sample.isExcluded = excluded;
+  sample.areaPx = 400;
   sample.colors.assign(40, bgr);
   return sample;
 }
@@ -86,7 +86,7 @@ TEST(LearnColor, GivesEachColorOfATargetARange) {
   EXPECT_TRUE(takes(learned->otherRanges[0], kYellow));
   EXPECT_FALSE(takes(learned->ranges(), {30, 110, 210})) << "the orange between both";
   EXPECT_FALSE(takes(learned->ranges(), {40, 120, 130}));
-  EXPECT_FALSE(learned->assessment.sampleLeftOut);
+  EXPECT_FALSE(learned->assessment.isSampleLeftOut);
   EXPECT_GT(learned->assessment.targetShare, 0.95);
 }
 
@@ -107,17 +107,17 @@ TEST(LearnColor, AColorThatEverythingHasIsLeftOut) {
   EXPECT_TRUE(learned->otherRanges.empty());
   EXPECT_TRUE(takes(learned->range, kRed));
   EXPECT_FALSE(takes(learned->range, olive));
-  EXPECT_TRUE(learned->assessment.sampleLeftOut);
+  EXPECT_TRUE(learned->assessment.isSampleLeftOut);
 }
 
 TEST(ColorEvidence, OfSeveralColorsIsDividedTheSameFromWhatWasKnownBefore) {
   const Ball ball(cv::Scalar(40, 200, 220), {40, 120, 130});
-  const auto first = color::colorEvidence(ball.clicks, {ball.image});
+  const auto first = color::collectColorEvidence(ball.clicks, {ball.image});
   ASSERT_EQ(first.targetColorsBySampleColor.size(), 2U);
   ASSERT_EQ(first.typicalRanges.size(), 2U);
   const ColorRanges ranges = *learnRanges(first);
-  const auto now = color::colorEvidence(ball.clicks, {ball.image}, ranges, first);
-  const auto anew = color::colorEvidence(ball.clicks, {ball.image}, ranges);
+  const auto now = color::collectColorEvidence(ball.clicks, {ball.image}, ranges, first);
+  const auto anew = color::collectColorEvidence(ball.clicks, {ball.image}, ranges);
   EXPECT_EQ(now.typicalRanges, anew.typicalRanges);
   ASSERT_EQ(now.targetColorsBySampleColor.size(), 2U);
   EXPECT_EQ(now.targetColorsBySampleColor[1].front().weight,

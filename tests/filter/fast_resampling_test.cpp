@@ -62,7 +62,7 @@ std::vector<double> drawsByDefinition(Eigen::Index count, double total,
                                       const RandomStream& stream) {
   const SortedDraws draws(stream, count, total);
   std::vector<double> result;
-  std::vector<double> block(std::size_t{SortedDraws::kBlock});
+  std::vector<double> block(std::size_t{SortedDraws::kBlockSize});
   for (std::int64_t b = 0; b < draws.blockCount(); ++b) {
     const std::int64_t length = draws.writeBlock(b, block.data());
     result.insert(result.end(), block.begin(), block.begin() + length);
@@ -84,7 +84,7 @@ Ancestors ancestorsByDefinition(const std::vector<double>& cumulative, Eigen::In
 std::vector<double> written(const CumulativeWeights& cumulative) {
   std::vector<double> all;
   std::vector<double> block(std::size_t{kPrefixBlock});
-  for (std::int64_t begin = 0; begin < cumulative.count(); begin += kPrefixBlock) {
+  for (std::int64_t begin = 0; begin < cumulative.particleCount(); begin += kPrefixBlock) {
     const std::int64_t length = cumulative.writeBlock(begin / kPrefixBlock, block.data());
     all.insert(all.end(), block.begin(), block.begin() + length);
   }
@@ -99,7 +99,7 @@ BlockWeights inBlocks(const Eigen::ArrayXd& weights) {
   for (std::int64_t begin = 0; begin < weights.size(); begin += kSumBlock) {
     blocks.setBlock(begin, std::min(kSumBlock, weights.size() - begin), logWeights.data() + begin);
   }
-  EXPECT_EQ(blocks.finish(), (weights > 0.0).any());
+  EXPECT_EQ(blocks.normalize(), (weights > 0.0).any());
   return blocks;
 }
 
@@ -142,7 +142,7 @@ TEST(BlockWeights, AreTheNormalizedWeights) {
         ASSERT_NEAR(sums[std::size_t(i)], sum, 1e-12) << i << " of " << count;
       }
       EXPECT_NEAR(sum, 1.0, 1e-12);
-      EXPECT_TRUE((blocks.all() >= 0.0).all());
+      EXPECT_TRUE((blocks.linearWeights() >= 0.0).all());
     }
   }
 }
@@ -158,10 +158,10 @@ TEST(BlockWeights, KeepWhatMattersOfEveryBlock) {
   for (const std::int64_t begin : {2048, 0, 1024}) {
     blocks.setBlock(begin, std::min<std::int64_t>(1024, 3000 - begin), logWeights.data() + begin);
   }
-  EXPECT_TRUE(blocks.finish());
+  EXPECT_TRUE(blocks.normalize());
   EXPECT_NEAR(blocks[2000], 0.75, 1e-14); // 3 : 1
   EXPECT_NEAR(blocks[2999], 0.25, 1e-14);
-  EXPECT_EQ((blocks.all() > 0.0).count(), 2);
+  EXPECT_EQ((blocks.linearWeights() > 0.0).count(), 2);
 }
 
 // One block, straight from the definition: partial sums of the spacings over their sum.
@@ -243,13 +243,13 @@ TEST(MultinomialResampling, IsABinarySearchAncestorByAncestor) {
       cumulative.compute(blocks);
       for (const Eigen::Index count : {1, 200, 1000, 4096, 40001}) {
         Ancestors picked;
-        MultinomialResampling{}.ancestors(weights, count, stream, picked);
+        MultinomialResampling{}.drawAncestors(weights, count, stream, picked);
         ASSERT_EQ(picked, ancestorsByDefinition(cumulativeByDefinition(weights), count, stream))
             << particles << " particles, " << count << " drawn";
         const Ancestors expected = ancestorsByDefinition(written(cumulative), count, stream);
         for (const int threads : {1, 2, 3}) {
           ThreadTeam team(threads);
-          MultinomialResampling{}.ancestors(blocks, count, stream, team, picked);
+          MultinomialResampling{}.drawAncestors(blocks, count, stream, team, picked);
           ASSERT_EQ(picked, expected) << particles << " particles, " << count << " drawn";
         }
       }
@@ -262,7 +262,7 @@ TEST(MultinomialResampling, LooksUpTheSortedDraws) {
   const RandomStream stream(1, 0, 0, RandomPurpose::Resampling);
   const Eigen::ArrayXd weights = Eigen::ArrayXd::Constant(200, 1.0);
   Ancestors picked;
-  MultinomialResampling{}.ancestors(weights, 300, stream, picked);
+  MultinomialResampling{}.drawAncestors(weights, 300, stream, picked);
   const std::vector<double> draws = drawsByDefinition(300, 200.0, stream);
   for (std::size_t i = 0; i < picked.size(); ++i) {
     EXPECT_EQ(picked[i], static_cast<Eigen::Index>(draws[i]));

@@ -145,12 +145,12 @@ TEST(ParticleFilter, DegenerateWeightsKeepAllAndAreFlagged) {
   filter.start(Eigen::ArrayXXd::Constant(50, 3, 1.0));
   const auto lost = filter.iterate(RandomWalk{}, Constant{kNotANumber}, MultinomialResampling{}, 50,
                                    {1, 0, 0}, team);
-  EXPECT_TRUE(lost.degenerate);
+  EXPECT_TRUE(lost.isDegenerate);
   EXPECT_NEAR(lost.effectiveSampleSize, 50.0, 1e-9);
   EXPECT_TRUE(lost.mean.allFinite());
   const auto found =
       filter.iterate(RandomWalk{}, Constant{}, MultinomialResampling{}, 50, {1, 0, 1}, team);
-  EXPECT_FALSE(found.degenerate);
+  EXPECT_FALSE(found.isDegenerate);
 }
 
 TEST(ParticleFilter, CountChangesAtResamplingOrAtOnce) {
@@ -171,8 +171,8 @@ TEST(ParticleFilter, CountChangesAtResamplingOrAtOnce) {
     EXPECT_TRUE(found);
   }
   filter.iterate(RandomWalk{}, Constant{}, MultinomialResampling{}, 10, {1, 0, 1}, team);
-  EXPECT_EQ(filter.weights().count(), 10);
-  EXPECT_NEAR(filter.weights().all().sum(), 1.0, 1e-12);
+  EXPECT_EQ(filter.weights().particleCount(), 10);
+  EXPECT_NEAR(filter.weights().linearWeights().sum(), 1.0, 1e-12);
 }
 
 // A frame may have 500 iterations; with 8 bits for them, iteration 256 of one part was iteration 0

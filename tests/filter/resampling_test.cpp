@@ -14,8 +14,8 @@ TEST(MultinomialResampling, IsUnbiased) {
   weights << 0.5, 0.0, 0.2, 0.29, 0.01;
   constexpr int kDraws = 200000;
   Ancestors picked;
-  MultinomialResampling{}.ancestors(weights, kDraws,
-                                    RandomStream(11, 0, 0, RandomPurpose::Resampling), picked);
+  MultinomialResampling{}.drawAncestors(weights, kDraws,
+                                        RandomStream(11, 0, 0, RandomPurpose::Resampling), picked);
   ASSERT_EQ(picked.size(), static_cast<std::size_t>(kDraws));
   Eigen::ArrayXd counts = Eigen::ArrayXd::Zero(5);
   for (const Eigen::Index ancestor : picked) {
@@ -38,8 +38,8 @@ TEST(MultinomialResampling, DrawsAreIndependent) {
   double squares = 0.0;
   Ancestors picked;
   for (std::uint32_t trial = 0; trial < kTrials; ++trial) {
-    MultinomialResampling{}.ancestors(weights, 10,
-                                      RandomStream(5, trial, 0, RandomPurpose::Resampling), picked);
+    MultinomialResampling{}.drawAncestors(
+        weights, 10, RandomStream(5, trial, 0, RandomPurpose::Resampling), picked);
     const auto ones = static_cast<double>(std::count(picked.begin(), picked.end(), 1));
     sum += ones;
     squares += ones * ones;
@@ -55,8 +55,8 @@ TEST(MultinomialResampling, OneParticleWithAllTheWeightIsAlwaysPicked) {
     Eigen::ArrayXd weights = Eigen::ArrayXd::Zero(7);
     weights[holder] = 1e-300; // need not sum to 1
     Ancestors picked;
-    MultinomialResampling{}.ancestors(weights, 1000,
-                                      RandomStream(1, 0, 0, RandomPurpose::Resampling), picked);
+    MultinomialResampling{}.drawAncestors(weights, 1000,
+                                          RandomStream(1, 0, 0, RandomPurpose::Resampling), picked);
     for (const Eigen::Index ancestor : picked) {
       ASSERT_EQ(ancestor, holder);
     }

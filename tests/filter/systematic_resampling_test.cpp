@@ -16,8 +16,8 @@ static_assert(Resampler<SystematicResampling>);
 /// How often each particle was picked in one draw.
 Eigen::ArrayXi countsOf(const Eigen::ArrayXd& weights, Eigen::Index count, std::uint32_t trial) {
   Ancestors picked;
-  SystematicResampling{}.ancestors(weights, count,
-                                   RandomStream(17, trial, 0, RandomPurpose::Resampling), picked);
+  SystematicResampling{}.drawAncestors(
+      weights, count, RandomStream(17, trial, 0, RandomPurpose::Resampling), picked);
   EXPECT_EQ(picked.size(), static_cast<std::size_t>(count));
   EXPECT_TRUE(std::is_sorted(picked.begin(), picked.end()));
   Eigen::ArrayXi counts = Eigen::ArrayXi::Zero(weights.size());

@@ -32,7 +32,7 @@ void readAs(const InputFile& file, const char* format, std::string_view bytes) {
   hints.format = format;
   // Half of the inputs with what a user may add.
   if (bytes.size() % 2 == 0) {
-    hints.size = {1280, 720};
+    hints.imageSize = {1280, 720};
     hints.lens = LensModel::Pinhole;
   }
   auto read = readCalibration(file.hold(bytes), hints);
@@ -153,7 +153,7 @@ void fuzzOpencvExtrinsics(std::string_view bytes) {
   CalibrationHints hints;
   hints.format = "opencv-stereo";
   hints.metersPerUnit = 0.001;
-  hints.size = {640, 480};
+  hints.imageSize = {640, 480};
   const auto read = readCalibration(kIntrinsicsFile.hold(kIntrinsics), hints);
   if (!read) {
     expectPlain(read.error());

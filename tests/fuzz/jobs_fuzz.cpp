@@ -21,9 +21,9 @@ void gatherFolder(const std::string& folder) {
     expectPlain(gathered.error());
     return;
   }
-  (void)trajectory::gatheredTable(*gathered);
-  (void)trajectory::gatheredDurations(*gathered);
-  (void)trajectory::gatheredReport(*gathered);
+  (void)trajectory::gatheredTableText(*gathered);
+  (void)trajectory::gatheredDurationsText(*gathered);
+  (void)trajectory::gatheredReportText(*gathered);
 }
 
 } // namespace

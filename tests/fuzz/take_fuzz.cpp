@@ -18,11 +18,11 @@ void compareTake(const std::filesystem::path& take) {
   expectPlain(compared.error());
 }
 
-bool isSameSet(const session::StoredSet& one, const session::StoredSet& other) {
+bool isSameSet(const session::StoredFrameSet& one, const session::StoredFrameSet& other) {
   return one.index == other.index && one.time == other.time &&
          std::ranges::equal(one.images, other.images, [](const auto& a, const auto& b) {
-           return a.has_value() == b.has_value() &&
-                  (!a || (a->number == b->number && a->captureTime == b->captureTime));
+           return a.has_value() == b.has_value() && (!a || (a->numberInVideo == b->numberInVideo &&
+                                                            a->captureTime == b->captureTime));
          });
 }
 
@@ -31,13 +31,14 @@ bool isSameSet(const session::StoredSet& one, const session::StoredSet& other) {
 void fuzzLiveFrames(std::string_view bytes) {
   static const InputFile kFile("frames.csv");
   constexpr std::size_t kCameras = 2;
-  const auto sets = session::readStoredSets(kFile.hold(bytes), kCameras);
+  const auto sets = session::readStoredFrameSets(kFile.hold(bytes), kCameras);
   if (!sets) {
     expectPlain(sets.error());
     return;
   }
-  // Written in place: writeStoredSets() waits for the disk.
-  const auto again = session::readStoredSets(kFile.hold(session::storedFrameSetsCsv(*sets)), kCameras);
+  // Written in place: writeStoredFrameSets() waits for the disk.
+  const auto again =
+      session::readStoredFrameSets(kFile.hold(session::storedFrameSetsCsv(*sets)), kCameras);
   if (!again) {
     expectPlain(again.error());
   }

@@ -30,7 +30,7 @@ DisturbedCameras::DisturbedCameras(std::uint64_t seed)
     camera.serial = number < 2 ? "" : fmt::format("A{}", number);
     plug(camera, number);
   }
-  for (const CameraDevice& device : access_->list()) {
+  for (const CameraDevice& device : access_->listDevices()) {
     identities_.push_back(device.identity);
   }
 }

@@ -41,7 +41,7 @@ void expectSameBits(const Trajectory& a, const Trajectory& b) {
     ASSERT_TRUE(x.frame == y.frame && x.time == y.time && x.target == y.target &&
                 x.position == y.position && x.covariance == y.covariance &&
                 x.effectiveSampleSize == y.effectiveSampleSize && x.cameraCount == y.cameraCount &&
-                x.valid == y.valid)
+                x.isValid == y.isValid)
         << "frame " << k << ", " << (x.position - y.position).norm() << " m apart";
   }
 }
@@ -50,7 +50,7 @@ SessionInputs demoWithMethod(const std::string& method) {
   auto inputs = openProject("demo").value();
   inputs.project.method = method;
   inputs.project.parameters = ParameterValues(methodParameters(method));
-  inputs.project.parameters.markAllGiven();
+  inputs.project.parameters.markAllAsGiven();
   return inputs;
 }
 
@@ -60,7 +60,7 @@ TEST(EndToEnd, TheDemoIsTrackedToAMillimeter) {
   const auto trajectory = tracked(std::move(inputs), 150);
   ASSERT_EQ(trajectory.samples.size(), 150U);
   for (const auto& sample : trajectory.samples) { // from the first frame on
-    EXPECT_TRUE(sample.valid) << "frame " << sample.frame;
+    EXPECT_TRUE(sample.isValid) << "frame " << sample.frame;
     const double error = (sample.position - truth.at(sample.target, sample.frame).value()).norm();
     EXPECT_LT(error, 0.002) << "frame " << sample.frame; // measured: median 0.2 mm, at most 1.5
   }
@@ -77,7 +77,7 @@ TEST(EndToEnd, TheDemoIsTrackedToThePapersPrecision) {
     const auto& sample = trajectory.samples[k];
     const double error = (sample.position - truth.at(sample.target, sample.frame).value()).norm();
     squares += error * error;
-    invalid += sample.valid ? 0 : 1;
+    invalid += sample.isValid ? 0 : 1;
     EXPECT_LT(error, 0.03) << "frame " << sample.frame; // the paper's figure
   }
   EXPECT_LT(std::sqrt(squares / 110.0), 0.008); // measured with seeds 1 to 5: 4.4 to 5.3 mm
@@ -113,8 +113,8 @@ TEST_P(DiskTest, RecordedFramesGiveTheSameBitsAsSimulatedOnes) {
   const bool video = GetParam() == SourceKind::Video;
   for (std::size_t k = 0; k < project.cameras.size(); ++k) {
     const auto path = folder_ / ("camera" + std::to_string(k) + (video ? ".mkv" : ""));
-    auto writer = video ? FrameWriter::video(path.string(), scene.framesPerSecond)
-                        : FrameWriter::images(path.string());
+    auto writer = video ? FrameWriter::createVideo(path.string(), scene.framesPerSecond)
+                        : FrameWriter::createImageFolder(path.string());
     ASSERT_TRUE(writer) << errorSentence(writer.error());
     for (int frame = 0; frame < kFrames; ++frame) {
       ASSERT_TRUE(writer->write(renderer.render(static_cast<int>(k), frame)));

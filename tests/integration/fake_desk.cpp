@@ -111,7 +111,8 @@ bool FakeDeskStream::grab() {
   }
   shot_ = waiting_.front();
   waiting_.pop_front();
-  captured_ = clock_.next(desk_->timeOf(shot_.tick) + shot_.stampOff, FakeDesk::Clock::now());
+  captured_ =
+      clock_.nextCaptureInstant(desk_->timeOf(shot_.tick) + shot_.stampOff, FakeDesk::Clock::now());
   return true;
 }
 

@@ -100,7 +100,7 @@ TEST(Fidelity, OnItsWayTheCloudIsLongestAlongCamera1sAxis) {
     auto inputs = openProject("still").value(); // starts at the paper's (0.4, 0.1, 0.2)
     inputs.project.method = "barrera";
     inputs.project.parameters = ParameterValues(methodParameters("barrera"));
-    inputs.project.parameters.markAllGiven();
+    inputs.project.parameters.markAllAsGiven();
     const Eigen::Vector3d axis = rigOf(inputs.project)[0].opticalAxis();
     auto run = TrackingRun::create(inputs.project, 1).value();
     run.restart(seed);

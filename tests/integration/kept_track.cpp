@@ -38,13 +38,13 @@ KeptTrack keptTrack(const std::map<std::int64_t, SetRecord::Entry>& sets,
     ++kept.due;
     const TrajectorySample& sample = *found->second;
     const double error = (sample.position - truth(*set.tick)).norm();
-    if (sample.valid) {
+    if (sample.isValid) {
       kept.largestError = std::max(kept.largestError, error);
     }
-    if (!sample.valid || error > errorBound) {
+    if (!sample.isValid || error > errorBound) {
       kept.lost.push_back(fmt::format(
           "frame {}, tick {}: {} good of {} images, {}, {:.0f} mm from the truth", index, *set.tick,
-          set.good, set.images, sample.valid ? "tracked" : "not tracked", 1000.0 * error));
+          set.good, set.images, sample.isValid ? "tracked" : "not tracked", 1000.0 * error));
     }
   }
   return kept;

@@ -108,7 +108,7 @@ double medianError(const std::vector<StreamPlan>& plans) {
   for (double offset = -0.15; offset < 0.15; offset += 0.002) {
     std::vector<double> errors;
     for (const TrajectorySample& sample : trajectory.samples) {
-      if (sample.valid && sample.time > 0.5) {
+      if (sample.isValid && sample.time > 0.5) {
         const Eigen::Vector3d truth = ballPosition(scene, 0, sample.time + offset);
         errors.push_back(1000.0 * (sample.position - truth).norm());
       }

@@ -83,7 +83,7 @@ TEST(LiveDisturbance, DevicesKeepTheirIdentityAndTheTarget) {
   const auto record = std::make_shared<SetRecord>(FakeDesk::kWidth, FakeDesk::kHeight);
   SessionInputs inputs;
   inputs.project = cameras.project();
-  inputs.historyBytes = kShortHistory;
+  inputs.maxHistoryBytes = kShortHistory;
   auto source = cameras.open();
   ASSERT_TRUE(source) << errorSentence(source.error());
   inputs.source = std::make_unique<WatchedSource>(std::move(*source), record);
@@ -195,7 +195,7 @@ TEST(LiveDisturbance, StreamsKeepTheirIdentityAndTheTarget) {
   ASSERT_TRUE(inputs) << errorSentence(inputs.error());
   const auto record = std::make_shared<SetRecord>(FakeDesk::kWidth, FakeDesk::kHeight);
   inputs->source = std::make_unique<WatchedSource>(std::move(inputs->source), record);
-  inputs->historyBytes = kShortHistory;
+  inputs->maxHistoryBytes = kShortHistory;
   Session session(std::move(*inputs));
   session.play();
   waitForAll(*record);

@@ -61,7 +61,7 @@ TEST(KeptTrack, CountsOnlyFramesInWhichTwoCamerasShowTheTarget) {
     sets[index] = {good, good, tick};
     TrajectorySample& sample = trajectory.samples.emplace_back();
     sample.frame = index;
-    sample.valid = valid;
+    sample.isValid = valid;
     sample.position = {x, 0.0, 0.0};
   };
   add(2, 0, false, 0.0); // the first of two: it may take time to find the target

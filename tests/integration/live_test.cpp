@@ -36,7 +36,7 @@ TEST(Live, TwoLoopbackStreamsAreTrackedToTheBall) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     const auto snapshot = session.newest();
     if (!snapshot->targets.empty() &&
-        std::get<SphereEstimate>(snapshot->targets.front().estimate).valid) {
+        std::get<SphereEstimate>(snapshot->targets.front().estimate).isValid) {
       error = (std::get<SphereEstimate>(snapshot->targets.front().estimate).mean - truth).norm();
     }
   }

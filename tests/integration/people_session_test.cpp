@@ -87,8 +87,8 @@ TEST(PeopleSession, TracksAsTheCommandLineDoes) {
     // A body has some 0.07 m³; its hull, legs and all, not more than a box of 0.8 x 0.8 x 1.8 m.
     EXPECT_GT(target.shape->volume, 0.03);
     EXPECT_LT(target.shape->volume, 1.15);
-    ASSERT_EQ(target.shape->ground.size(), std::size(kGroundProbabilities));
-    EXPECT_FALSE(target.shape->ground.back().empty());
+    ASSERT_EQ(target.shape->groundCurves.size(), std::size(kGroundProbabilities));
+    EXPECT_FALSE(target.shape->groundCurves.back().empty());
   }
   ASSERT_EQ(last->peopleCameras.size(), 4U);
   EXPECT_EQ(last->peopleCameras[0].learningProgress, 1.0);
@@ -236,7 +236,7 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
     return Eigen::Vector2d(positionOf(session.newest()->targets.at(0).estimate)->mean.head<2>());
   };
   const Eigen::Vector2d first = firstPlace();
-  said.push_back({.frame = kFrames - 1, .position = first, .present = false});
+  said.push_back({.frame = kFrames - 1, .position = first, .isPresent = false});
   session.setPersonCorrections(said);
   ASSERT_TRUE(eventually([&] { return present(*session.newest()) == 1; }));
   EXPECT_EQ(session.newest()->targets.at(0).status, TargetStatus::Gone); // and not lost
@@ -259,7 +259,7 @@ TEST(PeopleSession, SomebodyPutWhereNobodyIsGoesAgain) {
   constexpr std::int64_t kPlaced = 30;
   for (const double x : {0.0, 0.4}) { // the first visitor enters on the other side
     for (const double y : {-0.4, 0.0, 0.4}) {
-      project.people = {
+      project.personCorrections = {
           {.frame = kPlaced,
            .position = area.center + area.halfSize.cwiseProduct(Eigen::Vector2d(x, y))}};
       Session session(office(project));
@@ -281,7 +281,8 @@ TEST(PeopleSession, WhatTheProjectSaysOfPeopleComesTrueInItsFrame) {
   simulation::ViewCache views;
   const OfficeRenderer renderer(builtInOfficeScene(), views);
   const double time = builtInOfficeScene().timeOf(80);
-  project.people.push_back({.frame = 80, .position = renderer.bodyCenter(0, time).head<2>()});
+  project.personCorrections.push_back(
+      {.frame = 80, .position = renderer.bodyCenter(0, time).head<2>()});
   Session session(office(project));
   playThrough(session);
   EXPECT_EQ(present(*session.newest()), 1);
@@ -353,7 +354,7 @@ TEST(PeopleTracks, LeaveGapsAndForgetNobody) {
   const Project project = officeProject();
   auto tracker = makeTracker("people", project.parameters, officeRig(), {}).value();
   tracker->restart(1);
-  auto* const placing = capability<PersonPlacing>(*tracker);
+  auto* const placing = capability<PersonEditing>(*tracker);
   const auto* const finding = capability<PeopleFinding>(*tracker);
   ASSERT_TRUE(placing != nullptr && finding != nullptr);
   EXPECT_EQ(placing->addPerson({0.0, 0.0, 0.86}), 1);
@@ -362,7 +363,7 @@ TEST(PeopleTracks, LeaveGapsAndForgetNobody) {
   ASSERT_EQ(tracker->trackCount(), 2U);
   EXPECT_TRUE(isAbsent(tracker->estimate(0)));
   EXPECT_FALSE(isAbsent(tracker->estimate(1)));
-  EXPECT_EQ(finding->allPeople()[0].name, "person 1");
+  EXPECT_EQ(finding->peopleAsTargets()[0].name, "person 1");
   EXPECT_EQ(placing->addPerson({1.0, 1.0, 0.86}), 3); // never given twice
 }
 

@@ -67,7 +67,7 @@ public:
     return set;
   }
   Status seek(std::int64_t frame) override { return source_->seek(frame); }
-  std::int64_t droppedFrames() const override { return source_->droppedFrames(); }
+  std::int64_t droppedFrameCount() const override { return source_->droppedFrameCount(); }
   std::vector<Error> notices() const override { return source_->notices(); }
 
 private:

@@ -41,7 +41,7 @@ public:
   std::vector<OutlineView> views() {
     std::vector<OutlineView> all;
     for (std::size_t k = 0; k < rig_.size(); ++k) {
-      labels_[k].begin(images_[k], backgrounds_[k], classifier_);
+      labels_[k].setImage(images_[k], backgrounds_[k], classifier_);
       all.push_back({&projectors_[k], &labels_[k], Eigen::Vector3d::Zero()});
     }
     return all;

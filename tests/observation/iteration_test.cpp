@@ -52,7 +52,7 @@ Outcome track(Eigen::Index particles, int threads, InstructionSet limit) {
     state = filter.iterate(proposal, window, MultinomialResampling{}, particles, {7, i, 0}, team);
   }
   return {state.mean,      state.covariance, state.effectiveSampleSize,
-          state.bestIndex, filter.next(),    filter.weights().all()};
+          state.bestIndex, filter.next(),    filter.weights().linearWeights()};
 }
 
 // One seed, the same bits: for any number of threads and for any processor.

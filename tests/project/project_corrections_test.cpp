@@ -89,8 +89,8 @@ TEST(ProjectCorrections, ComeBackInTheOrderOfTheirFrames) {
   EXPECT_EQ(again->corrections, project->corrections);
   Project other = *again;
   other.corrections.pop_back();
-  EXPECT_TRUE(changesBetween(*again, other).corrections);
-  EXPECT_TRUE(changesBetween(*again, other).any());
+  EXPECT_TRUE(changesBetween(*again, other).correctionsChanged);
+  EXPECT_TRUE(changesBetween(*again, other).hasAny());
 }
 
 TEST(ProjectCorrections, ThoseTrackedBackGoWithWhatTheyCameFrom) {

@@ -119,7 +119,7 @@ TEST(ProjectDevices, AreChecked) {
   };
   EXPECT_EQ(fieldAfter([](DeviceSettings&) {}), "");
   EXPECT_EQ(fieldAfter([](DeviceSettings& one) { one.format.width = 640; }), "camera 2.size");
-  EXPECT_EQ(fieldAfter([](DeviceSettings& one) { one.format.rate = -1.0; }), "camera 2.rate");
+  EXPECT_EQ(fieldAfter([](DeviceSettings& one) { one.format.frameRate = -1.0; }), "camera 2.rate");
   EXPECT_EQ(fieldAfter([](DeviceSettings& one) { one.controls["a b"] = 1; }),
             "camera 2.controls.a b");
 }
@@ -130,14 +130,14 @@ TEST(ProjectDevices, ChangesOfControlsDoNotOpenTheDeviceAgain) {
   Project after = *before;
   after.cameras[0].device.controls["gain"] = 3;
   const ProjectChanges controls = changesBetween(*before, after);
-  EXPECT_TRUE(controls.controls);
-  EXPECT_TRUE(controls.any());
-  EXPECT_FALSE(controls.sources);
-  EXPECT_FALSE(controls.calibration);
-  after.cameras[0].device.format.rate = 15.0;
+  EXPECT_TRUE(controls.controlsChanged);
+  EXPECT_TRUE(controls.hasAny());
+  EXPECT_FALSE(controls.sourcesChanged);
+  EXPECT_FALSE(controls.calibrationChanged);
+  after.cameras[0].device.format.frameRate = 15.0;
   const ProjectChanges format = changesBetween(*before, after);
-  EXPECT_TRUE(format.sources);
-  EXPECT_FALSE(format.controls);
+  EXPECT_TRUE(format.sourcesChanged);
+  EXPECT_FALSE(format.controlsChanged);
 }
 
 } // namespace

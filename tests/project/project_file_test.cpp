@@ -73,7 +73,7 @@ TEST(ProjectFile, KeepsTheShapeOfATarget) {
 }
 
 TEST(ProjectFile, WhatWasSaidOfPeopleComesBackInTheOrderOfTheirFrames) {
-  EXPECT_TRUE(load(kGood)->people.empty()); // as in every file before there was this
+  EXPECT_TRUE(load(kGood)->personCorrections.empty()); // as in every file before there was this
   auto project = load(std::string(kGood) + "[[person]]\nframe = 90\nplace = [1.5, -0.25]\n"
                                            "present = false\n"
                                            "[[person]]\nframe = 12\nplace = [0.5, 2]\n"
@@ -84,16 +84,16 @@ TEST(ProjectFile, WhatWasSaidOfPeopleComesBackInTheOrderOfTheirFrames) {
   expected[0] = {12, Eigen::Vector2d(0.5, 2.0), std::nullopt, true};
   expected[1] = {12, std::nullopt, PersonCorrection::Click{0, {20.5, 31.0}}, true};
   expected[2] = {90, Eigen::Vector2d(1.5, -0.25), std::nullopt, false};
-  EXPECT_EQ(project->people, expected);
+  EXPECT_EQ(project->personCorrections, expected);
   const auto file = fileNamed("again.toml");
   ASSERT_TRUE(saveProject(*project, file));
   const auto again = loadProject(file);
   ASSERT_TRUE(again) << errorSentence(again.error());
-  EXPECT_EQ(again->people, expected);
+  EXPECT_EQ(again->personCorrections, expected);
   addPersonCorrection(*project, {12, Eigen::Vector2d(3.0, 3.0), std::nullopt, true});
-  EXPECT_EQ(project->people.at(2).position, Eigen::Vector2d(3.0, 3.0));
-  EXPECT_TRUE(changesBetween(*again, *project).people);
-  EXPECT_TRUE(changesBetween(*again, *project).any());
+  EXPECT_EQ(project->personCorrections.at(2).position, Eigen::Vector2d(3.0, 3.0));
+  EXPECT_TRUE(changesBetween(*again, *project).personCorrectionsChanged);
+  EXPECT_TRUE(changesBetween(*again, *project).hasAny());
 }
 
 TEST(ProjectFile, PersonsThatCannotBeAreRefused) {
@@ -137,7 +137,7 @@ TEST(ProjectFile, ReadsEveryKey) {
   // Relative paths count from the project's own folder.
   EXPECT_EQ(std::filesystem::path(project->cameras.front().location).parent_path(),
             project->file.parent_path());
-  EXPECT_TRUE(project->truth->is_absolute());
+  EXPECT_TRUE(project->truthFile->is_absolute());
 }
 
 TEST(ProjectFile, SavedTwiceItIsTheSameBytes) {
@@ -178,7 +178,7 @@ TEST(ProjectFile, KeepsTheBackgroundImageOfACamera) {
   const auto project = load(kGood, "video = \"left.mkv\"\n",
                             "video = \"left.mkv\"\nempty_room = \"empty/left.png\"\n");
   ASSERT_TRUE(project) << errorSentence(project.error());
-  const std::filesystem::path room = project->cameras.front().backgroundImage;
+  const std::filesystem::path room = project->cameras.front().backgroundImageFile;
   EXPECT_EQ(room, project->file.parent_path() / "empty/left.png");
   const auto file = fileNamed("saved.toml");
   ASSERT_TRUE(saveProject(*project, file));
@@ -187,9 +187,9 @@ TEST(ProjectFile, KeepsTheBackgroundImageOfACamera) {
   ASSERT_TRUE(again) << errorSentence(again.error());
   EXPECT_EQ(again->cameras, project->cameras);
   Project without = *project;
-  without.cameras.front().backgroundImage.clear();
-  EXPECT_TRUE(changesBetween(without, *project).backgroundImages);
-  EXPECT_FALSE(changesBetween(without, *project).sources) << "the recording is the same";
+  without.cameras.front().backgroundImageFile.clear();
+  EXPECT_TRUE(changesBetween(without, *project).backgroundImagesChanged);
+  EXPECT_FALSE(changesBetween(without, *project).sourcesChanged) << "the recording is the same";
   EXPECT_EQ(projectText(without, file.parent_path()).find("empty_room"), std::string::npos);
   EXPECT_EQ(errorOf("video = \"left.mkv\"\n", "video = \"left.mkv\"\nempty_room = 3\n").field,
             "camera 1.empty_room");
@@ -214,10 +214,11 @@ TEST(ProjectFile, KeepsWhatAColorWasLearnedFrom) {
   ASSERT_TRUE(project) << errorSentence(project.error());
   const Target& target = project->targets.front();
   ASSERT_EQ(target.samples.size(), 2U);
-  ColorSample click{.found = true, .camera = 1, .frame = 17, .x = 120.5, .y = 88, .area = 700};
+  ColorSample click{
+      .isFoundByGeometry = true, .camera = 1, .frame = 17, .x = 120.5, .y = 88, .areaPx = 700};
   click.colors = {{0x80, 0x00, 0xff}, {0x0c, 0x0b, 0x0a}};
   EXPECT_EQ(target.samples[0], click);
-  const ColorSample box{.excluded = true, .x = 10, .y = 20, .width = 30, .height = 40};
+  const ColorSample box{.isExcluded = true, .x = 10, .y = 20, .width = 30, .height = 40};
   EXPECT_EQ(target.samples[1], box);
   const auto file = fileNamed("saved.toml");
   ASSERT_TRUE(saveProject(*project, file));
@@ -225,7 +226,7 @@ TEST(ProjectFile, KeepsWhatAColorWasLearnedFrom) {
 
   Project without = *project;
   without.targets.front().samples.pop_back();
-  EXPECT_TRUE(changesBetween(*project, without).targets);
+  EXPECT_TRUE(changesBetween(*project, without).targetsChanged);
 }
 
 TEST(ProjectFile, KeepsTheColorsOfATarget) {
@@ -243,7 +244,7 @@ TEST(ProjectFile, KeepsTheColorsOfATarget) {
 
   Project without = *project;
   without.targets.front().otherColors.pop_back();
-  EXPECT_TRUE(changesBetween(*project, without).targets);
+  EXPECT_TRUE(changesBetween(*project, without).targetsChanged);
 }
 
 TEST(ProjectFile, NamesTheColorThatIsWrong) {
@@ -273,11 +274,11 @@ TEST(ProjectFile, KeepsTheBoxOfATarget) {
 
   Project other = *project;
   other.targets.front().box->box.x += 1.0;
-  EXPECT_TRUE(changesBetween(*project, other).targets);
-  EXPECT_TRUE(changesBetween(*project, other).boxes);
+  EXPECT_TRUE(changesBetween(*project, other).targetsChanged);
+  EXPECT_TRUE(changesBetween(*project, other).boxesChanged);
   other = *project;
   other.targets.front().radius += 1.0;
-  EXPECT_FALSE(changesBetween(*project, other).boxes);
+  EXPECT_FALSE(changesBetween(*project, other).boxesChanged);
 }
 
 TEST(ProjectFile, NamesWhatIsWrongWithABox) {

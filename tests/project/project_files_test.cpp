@@ -15,19 +15,19 @@ Project projectWithFiles() {
   video.camera.name = "left";
   video.source = SourceKind::Video;
   video.location = "/lab/day/left.mkv";
-  video.times = "/lab/day/left.csv";
+  video.captureTimeFile = "/lab/day/left.csv";
   ProjectCamera images;
   images.camera.name = "right";
   images.source = SourceKind::Images;
   images.location = "/archive/right";
-  images.backgroundImage = "/lab/day/empty.png";
+  images.backgroundImageFile = "/lab/day/empty.png";
   project.cameras = {video, images};
   return project;
 }
 
 TEST(ProjectFiles, AreThoseThatARunReads) {
   Project project = projectWithFiles();
-  project.truth = "/lab/day/truth.csv";
+  project.truthFile = "/lab/day/truth.csv";
   std::vector<std::string> names;
   for (const ProjectFile& file : runInputFiles(project)) {
     names.push_back(file.name);
@@ -44,9 +44,9 @@ TEST(ProjectFiles, TextOfARunHasWhatItsResultDependsOn) {
   const Project project = projectWithFiles();
   const std::string text = runInputText(project);
   Project other = project;
-  other.layout = "docks";
+  other.windowLayout = "docks";
   other.markers = {{3, "here"}};
-  other.truth = "/lab/day/truth.csv";
+  other.truthFile = "/lab/day/truth.csv";
   EXPECT_EQ(runInputText(other), text);
   other.seed = 2;
   EXPECT_NE(runInputText(other), text);
@@ -57,8 +57,8 @@ TEST(ProjectFiles, TextOfARunHasWhatItsResultDependsOn) {
   other = project;
   other.file = "/mnt/day/project.toml";
   other.cameras.front().location = "/mnt/day/left.mkv";
-  other.cameras.front().times = "/mnt/day/left.csv";
-  other.cameras.back().backgroundImage = "/mnt/day/empty.png";
+  other.cameras.front().captureTimeFile = "/mnt/day/left.csv";
+  other.cameras.back().backgroundImageFile = "/mnt/day/empty.png";
   EXPECT_EQ(runInputText(other), text);
 }
 
@@ -72,7 +72,7 @@ TEST(ProjectFiles, ProjectNeedsNoFileOfItsOwn) {
 TEST(ProjectFiles, SettingsAreWhatDiffersFromTheDefaults) {
   Project project = projectWithFiles();
   EXPECT_EQ(nonDefaultSettings(project), "");
-  project.parameters.markAllGiven(); // at their defaults
+  project.parameters.markAllAsGiven(); // at their defaults
   EXPECT_EQ(nonDefaultSettings(project), "");
   ASSERT_TRUE(project.parameters.set("kld_error", 0.0));
   ASSERT_TRUE(project.parameters.set("particles", 200));

@@ -41,13 +41,13 @@ TEST(ProjectOutput, IsReadAndSavedUnchanged) {
   const OutputSettings& output = project->output;
   EXPECT_EQ(output.axes, OutputAxes::YUp);
   EXPECT_EQ(output.unit, OutputUnit::Millimeter);
-  EXPECT_EQ(output.rate, 60.0);
-  EXPECT_EQ(output.osc, "127.0.0.1:9000");
-  EXPECT_EQ(output.tuio, "[::1]:3333");
-  EXPECT_EQ(output.tcp, 9001);
-  EXPECT_EQ(output.websocket, 0);
-  EXPECT_EQ(output.csv, "results.csv");
-  EXPECT_EQ(output.listen, "0.0.0.0");
+  EXPECT_EQ(output.framesPerSecond, 60.0);
+  EXPECT_EQ(output.oscReceiver, "127.0.0.1:9000");
+  EXPECT_EQ(output.tuioReceiver, "[::1]:3333");
+  EXPECT_EQ(output.tcpPort, 9001);
+  EXPECT_EQ(output.webSocketPort, 0);
+  EXPECT_EQ(output.csvFile, "results.csv");
+  EXPECT_EQ(output.listenAddress, "0.0.0.0");
   EXPECT_EQ(output.token, "${DEWPOINT_TOKEN}"); // a secret of the environment stays there
   const auto file = fileNamed("saved.toml");
   ASSERT_TRUE(saveProject(*project, file));
@@ -59,10 +59,10 @@ TEST(ProjectOutput, IsReadAndSavedUnchanged) {
 TEST(ProjectOutput, IsOffUnlessGiven) {
   const auto project = load("format = 2\nscene = \"demo\"\n");
   ASSERT_TRUE(project) << errorSentence(project.error());
-  EXPECT_FALSE(project->output.any());
-  EXPECT_EQ(project->output.listen, "127.0.0.1");
+  EXPECT_FALSE(project->output.isAnyOn());
+  EXPECT_EQ(project->output.listenAddress, "127.0.0.1");
   EXPECT_EQ(outputText(project->output), "");
-  EXPECT_TRUE(load(kOutput)->output.any());
+  EXPECT_TRUE(load(kOutput)->output.isAnyOn());
 }
 
 TEST(ProjectOutput, WrongValuesAreNamed) {
@@ -97,9 +97,9 @@ TEST(ProjectOutput, AChangeIsAnEditButNotAnotherRun) {
   const auto before = load(kOutput);
   ASSERT_TRUE(before);
   Project after = *before;
-  after.output.tcp.reset();
-  EXPECT_TRUE(changesBetween(*before, after).output);
-  EXPECT_TRUE(changesBetween(*before, after).any());
+  after.output.tcpPort.reset();
+  EXPECT_TRUE(changesBetween(*before, after).outputChanged);
+  EXPECT_TRUE(changesBetween(*before, after).hasAny());
   EXPECT_EQ(runInputText(*before), runInputText(after));
 }
 

@@ -59,19 +59,19 @@ Camera turnedCamera() {
 TEST(ProjectRecords, SayWhereACalibrationComesFrom) {
   const auto project = load(kCalibrated);
   ASSERT_TRUE(project) << errorSentence(project.error());
-  const CameraRecord& camera = project->cameras.at(0).calibrated;
+  const CameraRecord& camera = project->cameras.at(0).calibrationRecord;
   ASSERT_TRUE(camera.lens && camera.pose);
   EXPECT_EQ(camera.lens->origin, CalibrationOrigin::Board);
   EXPECT_EQ(camera.lens->error, 0.42);
   EXPECT_TRUE(describes(*camera.lens, project->cameras[0].camera));
   EXPECT_EQ(camera.pose->origin, CalibrationOrigin::Wand);
   EXPECT_EQ(camera.pose->error, 0.0021);
-  EXPECT_EQ(project->calibrated.scale, CalibrationOrigin::Wand);
-  EXPECT_EQ(project->calibrated.scaleError, 0.002);
-  EXPECT_EQ(project->calibrated.floor, CalibrationOrigin::Marks);
-  EXPECT_EQ(project->calibrated.accuracy, 0.0031);
-  EXPECT_EQ(project->calibrated.errorOutsideVolume, 0.0094);
-  EXPECT_EQ(project->calibrated.check, (LengthCheck{1.5, 1.503}));
+  EXPECT_EQ(project->worldRecord.scaleOrigin, CalibrationOrigin::Wand);
+  EXPECT_EQ(project->worldRecord.scaleError, 0.002);
+  EXPECT_EQ(project->worldRecord.floorOrigin, CalibrationOrigin::Marks);
+  EXPECT_EQ(project->worldRecord.errorInsideVolume, 0.0031);
+  EXPECT_EQ(project->worldRecord.errorOutsideVolume, 0.0094);
+  EXPECT_EQ(project->worldRecord.lengthCheck, (LengthCheck{1.5, 1.503}));
 }
 
 TEST(ProjectRecords, ComeBackFromAFile) {
@@ -81,19 +81,19 @@ TEST(ProjectRecords, ComeBackFromAFile) {
   const std::string name = camera.name;
   camera = turnedCamera();
   camera.name = name;
-  project->cameras[0].calibrated = {
+  project->cameras[0].calibrationRecord = {
       recordOfLens(camera, CalibrationOrigin::Points),
       recordOfPose(camera, CalibrationOrigin::Board, std::numeric_limits<double>::quiet_NaN())};
   const auto again = load(projectText(*project, project->file.parent_path()));
   ASSERT_TRUE(again) << errorSentence(again.error());
-  const CameraRecord& record = again->cameras[0].calibrated;
+  const CameraRecord& record = again->cameras[0].calibrationRecord;
   ASSERT_TRUE(record.lens && record.pose);
   EXPECT_EQ(record.lens->origin, CalibrationOrigin::Points);
   EXPECT_FALSE(record.lens->error);
   EXPECT_FALSE(record.pose->error); // a file holds no unknown number
   EXPECT_TRUE(describes(*record.lens, again->cameras[0].camera));
   EXPECT_TRUE(describes(*record.pose, again->cameras[0].camera));
-  EXPECT_EQ(again->calibrated, project->calibrated);
+  EXPECT_EQ(again->worldRecord, project->worldRecord);
 }
 
 TEST(ProjectRecords, AreVoidWhenTheNumbersChange) {
@@ -119,13 +119,13 @@ TEST(ProjectRecords, AreEditsButNoOtherCalibration) {
   const auto project = load(kCalibrated);
   ASSERT_TRUE(project);
   Project other = *project;
-  other.calibrated.check.reset();
-  EXPECT_TRUE(changesBetween(*project, other).any());
-  EXPECT_FALSE(changesBetween(*project, other).calibration);
+  other.worldRecord.lengthCheck.reset();
+  EXPECT_TRUE(changesBetween(*project, other).hasAny());
+  EXPECT_FALSE(changesBetween(*project, other).calibrationChanged);
   other = *project;
-  other.cameras[0].calibrated.pose.reset();
-  EXPECT_TRUE(changesBetween(*project, other).records);
-  EXPECT_FALSE(changesBetween(*project, other).calibration);
+  other.cameras[0].calibrationRecord.pose.reset();
+  EXPECT_TRUE(changesBetween(*project, other).recordsChanged);
+  EXPECT_FALSE(changesBetween(*project, other).calibrationChanged);
 }
 
 TEST(ProjectRecords, NameTheFieldThatIsWrong) {

@@ -60,18 +60,18 @@ TEST(ProjectRoom, ReadsGridPointsAndMirror) {
   ASSERT_TRUE(project->grid);
   EXPECT_EQ(*project->grid,
             (ReferenceGrid{GridKind::Box, {3.5, 2.0, 2.4}, 0.25, {0.1, -0.2, 0.3}, 0.5}));
-  ASSERT_EQ(project->points.size(), 2U);
-  EXPECT_EQ(project->points[0].world, Eigen::Vector3d(0.5, 0.25, 0.74));
-  ASSERT_EQ(project->points[0].clicks.size(), 1U);
-  EXPECT_EQ(project->points[0].clicks[0].camera, 0);
-  EXPECT_EQ(project->points[0].clicks[0].pixel, Eigen::Vector2d(320.25, 120.5));
-  EXPECT_EQ(project->points[0].clicks[0].frame, 7);
-  EXPECT_FALSE(load(kRoom, "frame = 7\n", "")->points[0].clicks[0].frame); // of older files
-  EXPECT_TRUE(project->points[1].clicks.empty());
-  EXPECT_TRUE(project->cameras[0].mirrored);
+  ASSERT_EQ(project->measuredPoints.size(), 2U);
+  EXPECT_EQ(project->measuredPoints[0].world, Eigen::Vector3d(0.5, 0.25, 0.74));
+  ASSERT_EQ(project->measuredPoints[0].clicks.size(), 1U);
+  EXPECT_EQ(project->measuredPoints[0].clicks[0].camera, 0);
+  EXPECT_EQ(project->measuredPoints[0].clicks[0].pixel, Eigen::Vector2d(320.25, 120.5));
+  EXPECT_EQ(project->measuredPoints[0].clicks[0].frame, 7);
+  EXPECT_FALSE(load(kRoom, "frame = 7\n", "")->measuredPoints[0].clicks[0].frame); // of older files
+  EXPECT_TRUE(project->measuredPoints[1].clicks.empty());
+  EXPECT_TRUE(project->cameras[0].isMirrored);
   EXPECT_EQ(project->cameras[0].crop, (ImageMargins{8, 0, 16, 4}));
   EXPECT_EQ(project->cameras[0].delay, 0.012);
-  EXPECT_EQ(std::filesystem::path(project->cameras[0].times).filename(), "times.csv");
+  EXPECT_EQ(std::filesystem::path(project->cameras[0].captureTimeFile).filename(), "times.csv");
 }
 
 constexpr const char* kVolume = "\n[volume_of_interest]\nmin = [-1, 0.5, 0]\nmax = [2, 3, 2.25]\n";
@@ -91,8 +91,8 @@ TEST(ProjectRoom, KeepsTheVolumeOfInterest) {
   EXPECT_EQ(inOneLine->volumeOfInterest, expected);
   Project without = *project;
   without.volumeOfInterest.reset();
-  EXPECT_TRUE(changesBetween(without, *project).volume);
-  EXPECT_TRUE(changesBetween(without, *project).any());
+  EXPECT_TRUE(changesBetween(without, *project).volumeChanged);
+  EXPECT_TRUE(changesBetween(without, *project).hasAny());
   EXPECT_EQ(projectText(without, "").find("volume_of_interest"), std::string::npos);
 }
 
@@ -127,11 +127,11 @@ TEST(ProjectRoom, WithoutThemAFileIsAsBefore) {
   auto project = load(kRoom);
   ASSERT_TRUE(project);
   project->grid.reset();
-  project->points.clear();
-  project->cameras[0].mirrored = false;
+  project->measuredPoints.clear();
+  project->cameras[0].isMirrored = false;
   project->cameras[0].crop = {};
   project->cameras[0].delay = 0.0;
-  project->cameras[0].times.clear();
+  project->cameras[0].captureTimeFile.clear();
   const std::string text = projectText(*project, {});
   EXPECT_EQ(text.find("[grid"), std::string::npos);
   EXPECT_EQ(text.find("[[point"), std::string::npos);
@@ -163,21 +163,21 @@ TEST(ProjectRoom, ChangesAreToldApart) {
   ASSERT_TRUE(project);
   Project other = *project;
   other.grid->step = 0.5;
-  EXPECT_TRUE(changesBetween(*project, other).grid);
-  EXPECT_FALSE(changesBetween(*project, other).calibration);
+  EXPECT_TRUE(changesBetween(*project, other).gridChanged);
+  EXPECT_FALSE(changesBetween(*project, other).calibrationChanged);
   other = *project;
-  other.points[0].clicks[0].pixel.x() += 1.0;
-  EXPECT_TRUE(changesBetween(*project, other).points);
-  EXPECT_TRUE(changesBetween(*project, other).any());
+  other.measuredPoints[0].clicks[0].pixel.x() += 1.0;
+  EXPECT_TRUE(changesBetween(*project, other).pointsChanged);
+  EXPECT_TRUE(changesBetween(*project, other).hasAny());
   other = *project;
-  other.cameras[0].mirrored = false;
-  EXPECT_TRUE(changesBetween(*project, other).sources);
+  other.cameras[0].isMirrored = false;
+  EXPECT_TRUE(changesBetween(*project, other).sourcesChanged);
   other = *project;
   other.cameras[0].delay = 0.0;
-  EXPECT_TRUE(changesBetween(*project, other).sources);
+  EXPECT_TRUE(changesBetween(*project, other).sourcesChanged);
   other = *project;
-  other.cameras[0].times.clear();
-  EXPECT_TRUE(changesBetween(*project, other).sources);
+  other.cameras[0].captureTimeFile.clear();
+  EXPECT_TRUE(changesBetween(*project, other).sourcesChanged);
 }
 
 TEST(ProjectRoom, ASceneCanHaveAnotherCalibration) {
@@ -188,7 +188,7 @@ TEST(ProjectRoom, ASceneCanHaveAnotherCalibration) {
   const auto project = load(text);
   ASSERT_TRUE(project) << errorSentence(project.error());
   ASSERT_EQ(project->cameras.size(), 1U);
-  EXPECT_TRUE(project->cameras[0].adjusted);
+  EXPECT_TRUE(project->cameras[0].hasOwnCalibration);
   EXPECT_EQ(project->cameras[0].source, SourceKind::Simulation);
   const auto again = load(projectText(*project, {}));
   ASSERT_TRUE(again) << errorSentence(again.error());

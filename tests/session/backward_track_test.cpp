@@ -34,7 +34,7 @@ protected:
   }
   /// As if the run had believed that it is elsewhere in these frames.
   BackwardRequest wrongFrom(std::int64_t first) const {
-    BackwardRequest order{RunDefinition::of(inputs_.project), saidAt(kSaidAt), {}};
+    BackwardRequest order{RunDefinition::fromProject(inputs_.project), saidAt(kSaidAt), {}};
     for (std::int64_t frame = 0; frame <= kSaidAt; ++frame) {
       TrajectorySample sample;
       sample.frame = frame;

@@ -64,7 +64,7 @@ TEST_P(BoxSessionTest, FollowsAndLeavesNothingInSpace) {
   EXPECT_TRUE(session.trajectory().samples.empty());
   const auto shown = session.newest();
   EXPECT_EQ(shown->family.targetSource, TargetSource::Box);
-  EXPECT_TRUE(shown->targets[0].tail.empty());
+  EXPECT_TRUE(shown->targets[0].tailPositions.empty());
   EXPECT_TRUE(shown->notices.empty());
   const CameraOverlay overlay = cameraOverlay(*shown, 0, shown->targets[0]);
   EXPECT_FALSE(overlay.estimate);
@@ -258,7 +258,7 @@ TEST(BoxSession, AHiddenTargetIsHeldAndSaysSo) {
   stepTo(session, 31);
   const TargetSnapshot hidden = session.newest()->targets[0];
   ASSERT_NE(hidden.box(), nullptr);
-  EXPECT_FALSE(hidden.box()->visible);
+  EXPECT_FALSE(hidden.box()->isVisible);
   EXPECT_EQ(hidden.status, TargetStatus::Searching);
   ASSERT_EQ(hidden.cameraReports.size(), 1U);
   EXPECT_EQ(hidden.cameraReports[0].status, CameraStatus::Hidden);

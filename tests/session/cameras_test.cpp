@@ -17,7 +17,7 @@ Project projectWithMethod(const std::string& method) {
   Project project = test::twoCameraProject();
   project.method = method;
   project.parameters = ParameterValues(methodParameters(method));
-  project.parameters.markAllGiven();
+  project.parameters.markAllAsGiven();
   return project;
 }
 
@@ -32,9 +32,9 @@ CameraRig shifted(CameraRig rig, double meters) {
 
 void step(Session& session, std::int64_t frames) {
   for (std::int64_t k = 0; k < frames; ++k) {
-    const std::int64_t before = session.newest()->iterations;
+    const std::int64_t before = session.newest()->iterationCount;
     session.stepFrame();
-    ASSERT_TRUE(eventually([&] { return session.newest()->iterations > before; }));
+    ASSERT_TRUE(eventually([&] { return session.newest()->iterationCount > before; }));
   }
 }
 
@@ -46,19 +46,19 @@ TEST_P(Cameras, AnotherCalibrationActsAtTheNextStepAndKeepsTheBelief) {
   step(session, 4);
   const auto before = session.newest();
   const bool holds = GetParam() == "dewpoint"; // the other one wanders long before it holds
-  ASSERT_TRUE(!holds || std::get<SphereEstimate>(before->targets[0].estimate).valid);
+  ASSERT_TRUE(!holds || std::get<SphereEstimate>(before->targets[0].estimate).isValid);
   const CameraRig rig = shifted(rigOf(project), 0.01);
   session.setCameras(rig);
   ASSERT_TRUE(eventually([&] { return *session.newest()->rig == rig; }));
-  EXPECT_EQ(session.newest()->iterations, before->iterations) << "nothing starts over";
+  EXPECT_EQ(session.newest()->iterationCount, before->iterationCount) << "nothing starts over";
   EXPECT_EQ(session.newest()->frame, before->frame);
   step(session, 4);
   const auto after = session.newest();
-  EXPECT_GT(after->iterations, before->iterations);
+  EXPECT_GT(after->iterationCount, before->iterationCount);
   if (!holds) {
     return;
   }
-  EXPECT_TRUE(std::get<SphereEstimate>(after->targets[0].estimate).valid);
+  EXPECT_TRUE(std::get<SphereEstimate>(after->targets[0].estimate).isValid);
   // The world moved by 1 cm with the cameras, and so did the target in it.
   EXPECT_NEAR(std::get<SphereEstimate>(after->targets[0].estimate).mean.x() -
                   std::get<SphereEstimate>(before->targets[0].estimate).mean.x(),

@@ -39,7 +39,7 @@ const std::vector<PositionCorrection> kTwo{beside(15), beside(22)};
 std::vector<std::int64_t> correctedFrames(const Trajectory& trajectory) {
   std::vector<std::int64_t> frames;
   for (const TrajectorySample& sample : trajectory.samples) {
-    if (sample.corrected) {
+    if (sample.isCorrected) {
       frames.push_back(sample.frame);
     }
   }
@@ -96,14 +96,14 @@ TEST_P(CorrectionsOfARun, HoldFromTheirFramesOn) {
   ASSERT_EQ(with.samples.size(), std::size_t{kCorrectedFrames});
   EXPECT_TRUE(correctedFrames(without).empty());
   EXPECT_EQ(correctedFrames(with), (std::vector<std::int64_t>{15, 22}));
-  EXPECT_FALSE(without.header.hasCorrected);
-  EXPECT_TRUE(with.header.hasCorrected);
+  EXPECT_FALSE(without.header.hasCorrectedColumn);
+  EXPECT_TRUE(with.header.hasCorrectedColumn);
   for (std::size_t k = 0; k < 15; ++k) {
     ASSERT_EQ(with.samples[k].position, without.samples[k].position) << k;
   }
   EXPECT_NE(with.samples[15].position, without.samples[15].position);
   EXPECT_LT((with.samples[15].position - beside(15).position).norm(), 0.03);
-  EXPECT_TRUE(with.samples[15].valid);
+  EXPECT_TRUE(with.samples[15].isValid);
 }
 
 TEST_P(CorrectionsOfARun, AreMadeAndUndoneAfterwards) {
@@ -117,13 +117,13 @@ TEST_P(CorrectionsOfARun, AreMadeAndUndoneAfterwards) {
   EXPECT_TRUE(sameBits(corrected(session, {kTwo[1]}), one));
   EXPECT_TRUE(sameBits(corrected(session, kTwo), both));
   EXPECT_EQ(correctedFrames(session.trajectory()), (std::vector<std::int64_t>{15, 22}));
-  EXPECT_TRUE(session.trajectory().header.hasCorrected);
+  EXPECT_TRUE(session.trajectory().header.hasCorrectedColumn);
   for (const std::int64_t from : {0, 10, 15, 16, 30}) {
     EXPECT_TRUE(sameBits(trackedAgain(session, from), both)) << from;
   }
   EXPECT_TRUE(sameBits(corrected(session, {kTwo[1]}), one));
   EXPECT_TRUE(sameBits(corrected(session, {}), without));
-  EXPECT_FALSE(session.trajectory().header.hasCorrected);
+  EXPECT_FALSE(session.trajectory().header.hasCorrectedColumn);
   EXPECT_TRUE(correctedFrames(session.trajectory()).empty());
 }
 
@@ -138,7 +138,7 @@ TEST_P(CorrectionsOfARun, AreMadeAtTheFrameTheRunStandsAt) {
     if (frame == 15 || frame == 22) {
       corrections.push_back(beside(frame));
       session.setCorrections(corrections);
-      ASSERT_TRUE(eventually([&] { return session.trajectory().samples.back().corrected; }));
+      ASSERT_TRUE(eventually([&] { return session.trajectory().samples.back().isCorrected; }));
     }
   }
   EXPECT_TRUE(sameBits(played(session), both));
@@ -171,7 +171,7 @@ TEST_P(CorrectionsOfARun, TakeThePlaceOfFormerOnesOfTheirFrame) {
 TEST_P(CorrectionsOfARun, AreThoseOfTheCommandLine) {
   class Samples final : public FrameObserver {
   public:
-    Status tracked(const TrackingRun& run) override {
+    Status onFrameTracked(const TrackingRun& run) override {
       std::ranges::copy(run.samples(), std::back_inserter(trajectory.samples));
       return {};
     }

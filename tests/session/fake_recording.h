@@ -152,7 +152,7 @@ inline bool sameBits(const Trajectory& a, const Trajectory& b) {
     same = x.frame == y.frame && x.target == y.target && x.time == y.time &&
            x.position == y.position && x.covariance == y.covariance &&
            x.effectiveSampleSize == y.effectiveSampleSize && x.cameraCount == y.cameraCount &&
-           x.valid == y.valid;
+           x.isValid == y.isValid;
   }
   return same;
 }

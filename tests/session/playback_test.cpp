@@ -109,7 +109,7 @@ TEST(PlaybackTable, Restart) {
 }
 
 TEST(PlaybackTable, ReachTheGoal) { // of reruns that began while paused
-  EXPECT_EQ(after([](Playback& playback) { playback.noteReached(kHead); }),
+  EXPECT_EQ(after([](Playback& playback) { playback.noteFrameReached(kHead); }),
             (Row{"Paused", "Playing", "Ended", "Viewing", "Replaying", "Paused", "Paused"}));
 }
 
@@ -155,9 +155,9 @@ TEST(Playback, AfterARerunAllIsAsBefore) {
   for (Playback& playback : everyState()) {
     playback.rerun({1, kHead}, std::nullopt);
     EXPECT_FALSE(playback.hasInputEnded());
-    EXPECT_FALSE(playback.noteReached(kHead - 1));
+    EXPECT_FALSE(playback.noteFrameReached(kHead - 1));
     EXPECT_EQ(nameOf(playback), "Rerunning"); // the goal is ahead
-    playback.noteReached(kHead);
+    playback.noteFrameReached(kHead);
     names.push_back(nameOf(playback));
   }
   EXPECT_EQ(names, (Row{"Paused", "Playing", "Ended", "Paused", "Paused", "Paused", "Paused"}));
@@ -165,7 +165,7 @@ TEST(Playback, AfterARerunAllIsAsBefore) {
   ended.endInput();
   ended.show(kOther, kHead);
   ended.rerun({1, kHead}, std::nullopt);
-  ended.noteReached(kHead);
+  ended.noteFrameReached(kHead);
   EXPECT_EQ(nameOf(ended), "Ended");
 }
 
@@ -183,9 +183,9 @@ TEST(Playback, ARerunDuringAnotherOneEndsWhereAndAsThatWouldHave) {
       EXPECT_EQ(playback.rerunRange()->firstFrame, 1);
       EXPECT_EQ(playback.rerunRange()->lastFrame, kHead);
       EXPECT_EQ(playback.nextFrame(), 1);
-      playback.noteReached(6);
+      playback.noteFrameReached(6);
       EXPECT_EQ(nameOf(playback), "Rerunning");
-      playback.noteReached(kHead);
+      playback.noteFrameReached(kHead);
       names.push_back(nameOf(playback));
     }
     EXPECT_EQ(names, (Row{"Paused", "Playing", "Ended", "Paused", "Paused", "Paused", "Paused"}));
@@ -198,7 +198,7 @@ TEST(Playback, ARerunDuringAnotherOneEndsWhereAndAsThatWouldHave) {
   looking.show(kOther, kHead);
   looking.rerun({4, kHead}, looking.viewedFrame());
   looking.rerun({1, 6}, looking.viewedFrame()); // the head is shown meanwhile
-  EXPECT_EQ(looking.noteReached(kHead), kOther);
+  EXPECT_EQ(looking.noteFrameReached(kHead), kOther);
 }
 
 TEST(Playback, ARerunKnowsWhatToShowAfterwards) {
@@ -209,7 +209,7 @@ TEST(Playback, ARerunKnowsWhatToShowAfterwards) {
   ASSERT_TRUE(playback.rerunRange());
   EXPECT_EQ(playback.rerunRange()->firstFrame, 1);
   EXPECT_EQ(playback.rerunRange()->lastFrame, kHead);
-  EXPECT_EQ(playback.noteReached(kHead), kOther);
+  EXPECT_EQ(playback.noteFrameReached(kHead), kOther);
   EXPECT_FALSE(playback.rerunRange());
   playback.rerun({1, kHead}, std::nullopt);
   playback.hold();
@@ -245,43 +245,43 @@ TEST(Playback, TheFrameShownMovesOn) {
 
 TEST(Playback, WhatBecomesOfAFrame) {
   Playback playback;
-  EXPECT_EQ(playback.head(), Playback::Head::None);
+  EXPECT_EQ(playback.headProgress(), Playback::HeadProgress::None);
   EXPECT_EQ(playback.nextFrame(), 0);
   playback.forgetEstimates(); // there is no frame that could be tracked anew
-  EXPECT_EQ(playback.head(), Playback::Head::None);
+  EXPECT_EQ(playback.headProgress(), Playback::HeadProgress::None);
   playback.setHead(7);
-  EXPECT_EQ(playback.head(), Playback::Head::Taken);
+  EXPECT_EQ(playback.headProgress(), Playback::HeadProgress::Taken);
   EXPECT_EQ(playback.nextFrame(), 8);
   playback.noteIteration();
-  EXPECT_EQ(playback.head(), Playback::Head::Tracked);
+  EXPECT_EQ(playback.headProgress(), Playback::HeadProgress::Tracked);
   playback.noteRecorded();
-  EXPECT_EQ(playback.head(), Playback::Head::Recorded);
+  EXPECT_EQ(playback.headProgress(), Playback::HeadProgress::Recorded);
   playback.noteIteration(); // another iteration: its record is replaced
-  EXPECT_EQ(playback.head(), Playback::Head::Recorded);
+  EXPECT_EQ(playback.headProgress(), Playback::HeadProgress::Recorded);
   playback.forgetEstimates();
-  EXPECT_EQ(playback.head(), Playback::Head::Taken);
+  EXPECT_EQ(playback.headProgress(), Playback::HeadProgress::Taken);
   playback.rerun({3, 7}, std::nullopt);
-  EXPECT_EQ(playback.head(), Playback::Head::None);
+  EXPECT_EQ(playback.headProgress(), Playback::HeadProgress::None);
   EXPECT_EQ(playback.nextFrame(), 3);
   playback.continueTrackingAt(30);
   EXPECT_EQ(playback.nextFrame(), 30);
   playback.setHead(30);
   playback.restart();
-  EXPECT_EQ(playback.head(), Playback::Head::None);
+  EXPECT_EQ(playback.headProgress(), Playback::HeadProgress::None);
   EXPECT_EQ(playback.nextFrame(), 0);
 }
 
 TEST(Playback, WhatASnapshotLacks) {
   Playback playback;
-  EXPECT_EQ(playback.missing(), Playback::Missing::Nothing);
+  EXPECT_EQ(playback.missingContent(), Playback::MissingContent::Nothing);
   playback.notePublished(true, true); // first the images, then what belongs to them
-  EXPECT_EQ(playback.missing(), Playback::Missing::Images);
+  EXPECT_EQ(playback.missingContent(), Playback::MissingContent::Images);
   playback.notePublished(false, true);
-  EXPECT_EQ(playback.missing(), Playback::Missing::Maps);
+  EXPECT_EQ(playback.missingContent(), Playback::MissingContent::Maps);
   playback.noteMissingContentPublished();
-  EXPECT_EQ(playback.missing(), Playback::Missing::Nothing);
+  EXPECT_EQ(playback.missingContent(), Playback::MissingContent::Nothing);
   playback.notePublished(false, false);
-  EXPECT_EQ(playback.missing(), Playback::Missing::Nothing);
+  EXPECT_EQ(playback.missingContent(), Playback::MissingContent::Nothing);
 }
 
 } // namespace

@@ -28,10 +28,10 @@ TEST(RecordedRun, KeepsWhatIsFoundInEachFrame) {
       });
   ASSERT_TRUE(run);
   EXPECT_EQ(told, (Told{{0, 4}, {1, 4}, {2, 4}, {3, 4}, {4, 4}}));
-  EXPECT_TRUE(run->finished);
+  EXPECT_TRUE(run->isFinished);
   EXPECT_FALSE(run->endError);
-  EXPECT_EQ(run->frames, 4);
-  EXPECT_EQ(run->targets, std::vector<std::string>{"ball"});
+  EXPECT_EQ(run->frameCount, 4);
+  EXPECT_EQ(run->targetNames, std::vector<std::string>{"ball"});
   ASSERT_EQ(run->trajectory.samples.size(), 4U);
   EXPECT_EQ(run->trajectory.samples.front().frame, 2);
   EXPECT_EQ(run->particles.size(), 4U);
@@ -48,14 +48,14 @@ TEST(RecordedRun, EndsEarlyOnRequestAndKeepsTheRest) {
   const auto run = recordRun(project, source, {}, {},
                              [](std::int64_t done, auto /*total*/) { return done < 3; });
   ASSERT_TRUE(run);
-  EXPECT_FALSE(run->finished);
+  EXPECT_FALSE(run->isFinished);
   EXPECT_EQ(run->trajectory.samples.size(), 3U);
   EXPECT_TRUE(run->particles.empty());
   // Too late to matter.
   test::DrawnRecording again(3);
   const auto whole =
       recordRun(project, again, {}, {}, [](std::int64_t done, auto /*total*/) { return done < 3; });
-  EXPECT_TRUE(whole->finished);
+  EXPECT_TRUE(whole->isFinished);
 }
 
 TEST(RecordedRun, KeepsTheFramesBeforeARecordingBreaksOff) {
@@ -63,8 +63,8 @@ TEST(RecordedRun, KeepsTheFramesBeforeARecordingBreaksOff) {
   test::FakeRecording source({.frames = 12, .failsAt = 5, .delivering = {}});
   const auto run = recordRun(project, source, {}, {}, always());
   ASSERT_TRUE(run);
-  EXPECT_FALSE(run->finished);
-  EXPECT_EQ(run->frames, 5);
+  EXPECT_FALSE(run->isFinished);
+  EXPECT_EQ(run->frameCount, 5);
   ASSERT_TRUE(run->endError);
   EXPECT_EQ(run->endError->code, ErrorCode::EndedEarly);
   test::FakeRecording broken({.frames = 12, .failsAt = 0, .delivering = {}});

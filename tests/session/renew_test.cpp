@@ -66,18 +66,21 @@ TEST_P(RenewTest, AChangedRunIsThatOfAFreshOne) {
     Session session(drawnInputs(GetParam(), kRenewedFrames));
     session.play();
     ASSERT_TRUE(reaches(session, PlayState::Ended));
-    EXPECT_TRUE(session.oldResults().frames.empty());
+    EXPECT_TRUE(session.oldResults().frameRanges.empty());
 
     SessionInputs fresh = drawnInputs(GetParam(), kRenewedFrames);
     change.make(fresh.project);
     change.tell(session, fresh.project);
-    ASSERT_TRUE(eventually([&] { return !session.oldResults().frames.empty(); })) << change.name;
-    EXPECT_EQ(session.oldResults().frames, (std::vector<ResultRange>{{0, kRenewedFrames - 1}}));
+    ASSERT_TRUE(eventually([&] { return !session.oldResults().frameRanges.empty(); }))
+        << change.name;
+    EXPECT_EQ(session.oldResults().frameRanges,
+              (std::vector<ResultRange>{{0, kRenewedFrames - 1}}));
     EXPECT_EQ(session.oldResults().newestFrame, kRenewedFrames - 1);
     EXPECT_GT(session.oldResults().secondsPerFrame, 0.0);
 
     session.rerunKeepingView(0);
-    ASSERT_TRUE(eventually([&] { return session.oldResults().frames.empty(); })) << change.name;
+    ASSERT_TRUE(eventually([&] { return session.oldResults().frameRanges.empty(); }))
+        << change.name;
     ASSERT_TRUE(reaches(session, PlayState::Ended));
     Session other(std::move(fresh));
     other.play();
@@ -98,7 +101,7 @@ TEST(Renew, TheFrameShownStaysShown) {
   Project project = drawnInputs("dewpoint", 1).project;
   setParameter(project, "particles", 333.0);
   session.setParameters(project.parameters);
-  ASSERT_TRUE(eventually([&] { return !session.oldResults().frames.empty(); }));
+  ASSERT_TRUE(eventually([&] { return !session.oldResults().frameRanges.empty(); }));
   const TrackSnapshotPtr before = session.newest();
   std::atomic<bool> showedAnother = false;
   session.onSnapshot([&] {
@@ -106,7 +109,7 @@ TEST(Renew, TheFrameShownStaysShown) {
     showedAnother = showedAnother || now->frame != 20 || now->state != PlayState::Paused;
   });
   session.rerunKeepingView(0);
-  ASSERT_TRUE(eventually([&] { return session.oldResults().frames.empty(); }));
+  ASSERT_TRUE(eventually([&] { return session.oldResults().frameRanges.empty(); }));
   session.onSnapshot({});
   EXPECT_FALSE(showedAnother);
   EXPECT_EQ(session.newest()->history.newestTrackedFrame, kRenewedFrames - 1);
@@ -127,13 +130,13 @@ TEST(Renew, WhatWasTrackedBeforeAChangeWhilePlayingIsOld) {
     session.stepFrame();
   }
   ASSERT_TRUE(eventually([&] { return session.oldResults().newestFrame == 19; }));
-  EXPECT_EQ(session.oldResults().frames, (std::vector<ResultRange>{{0, 9}}));
+  EXPECT_EQ(session.oldResults().frameRanges, (std::vector<ResultRange>{{0, 9}}));
   session.setParameters(before.parameters); // undone
   ASSERT_TRUE(eventually([&] {
-    return session.oldResults().frames == std::vector<ResultRange>{{10, 19}};
+    return session.oldResults().frameRanges == std::vector<ResultRange>{{10, 19}};
   }));
   session.rerunKeepingView(10);
-  ASSERT_TRUE(eventually([&] { return session.oldResults().frames.empty(); }));
+  ASSERT_TRUE(eventually([&] { return session.oldResults().frameRanges.empty(); }));
 
   Session other(drawnInputs("dewpoint", kRenewedFrames));
   for (std::int64_t frame = 0; frame < 20; ++frame) {
@@ -150,8 +153,8 @@ TEST(Renew, AFrameUnderWayIsNotOld) {
   setParameter(project, "particles", 333.0);
   session.setParameters(project.parameters);
   session.stepIteration();
-  ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 2; }));
-  EXPECT_TRUE(session.oldResults().frames.empty());
+  ASSERT_TRUE(eventually([&] { return session.newest()->iterationCount == 2; }));
+  EXPECT_TRUE(session.oldResults().frameRanges.empty());
 }
 
 } // namespace

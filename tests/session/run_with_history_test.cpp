@@ -19,13 +19,13 @@ constexpr std::int64_t kRememberedFrames = 15;
 class ARememberedRun : public testing::Test {
 protected:
   void SetUp() override {
-    ASSERT_TRUE(runWithHistory_.replace(*runWithHistory_.definition(), 0));
+    ASSERT_TRUE(runWithHistory_.startNewRun(*runWithHistory_.definition(), 0));
     runWithHistory_.keepHistory(*inputs_.source, std::size_t{64} << 20);
   }
 
   /// Tracks a frame; what is believed of the target then.
   TrajectorySample track(const FrameSetPtr& frames) {
-    runWithHistory_.begin(frames);
+    runWithHistory_.beginFrame(frames);
     runWithHistory_.applyLaterChanges();
     EXPECT_TRUE(trackOneFrame(runWithHistory_.run(), {}));
     runWithHistory_.record();
@@ -38,7 +38,7 @@ protected:
   }
 
   SessionInputs inputs_ = drawnInputs("dewpoint", kRememberedFrames);
-  RunWithHistory runWithHistory_{RunDefinition::of(inputs_.project), 1};
+  RunWithHistory runWithHistory_{RunDefinition::fromProject(inputs_.project), 1};
 };
 
 TEST_F(ARememberedRun, GoesOnFromAnEarlierFrameWithTheSameBits) {
@@ -51,12 +51,12 @@ TEST_F(ARememberedRun, GoesOnFromAnEarlierFrameWithTheSameBits) {
     ASSERT_TRUE(frames);
     first.push_back(track(*frames));
   }
-  EXPECT_EQ(runWithHistory_.head(), kRememberedFrames - 1);
-  runWithHistory_.setThreads(3);
+  EXPECT_EQ(runWithHistory_.headFrame(), kRememberedFrames - 1);
+  runWithHistory_.setThreadCount(3);
   ASSERT_TRUE(runWithHistory_.timeTravel().goBack(runWithHistory_.run(), 8, [] { return true; }));
   runWithHistory_.timeTravel().forgetFrom(8);
   for (std::int64_t k = 8; k < kRememberedFrames; ++k) {
-    const auto frames = runWithHistory_.timeTravel().frames(k);
+    const auto frames = runWithHistory_.timeTravel().framesAt(k);
     ASSERT_TRUE(frames);
     const TrajectorySample again = track(*frames);
     const TrajectorySample& before = first[static_cast<std::size_t>(k)];
@@ -78,7 +78,7 @@ TEST_F(ARememberedRun, CatchesUpWithWhatChangedSinceTheFrameItGoesBackTo) {
   EXPECT_EQ(runWithHistory_.run().definition()->targets[0].radius, radius); // as it was then
   EXPECT_GT(runWithHistory_.definition()->targets[0].radius, radius);
   runWithHistory_.timeTravel().forgetFrom(8);
-  track(*runWithHistory_.timeTravel().frames(8));
+  track(*runWithHistory_.timeTravel().framesAt(8));
   EXPECT_EQ(runWithHistory_.run().definition(), runWithHistory_.definition());
 }
 
@@ -94,7 +94,7 @@ TEST_F(ARememberedRun, LooksBackWithAsManyThreadsAsItTracksWith) {
     return then != nullptr ? then->threadCount() : 0;
   };
   EXPECT_EQ(threadsAt(8), 1);
-  runWithHistory_.setThreads(3);
+  runWithHistory_.setThreadCount(3);
   EXPECT_EQ(threadsAt(9), 3); // the run that stands at frame 8 goes on
 }
 
@@ -102,12 +102,12 @@ TEST_F(ARememberedRun, StaysAsItWasWhenAnotherCannotBeMade) {
   RunDefinition unknown = *runWithHistory_.definition();
   unknown.method = "no such method";
   EXPECT_FALSE(runWithHistory_.change(unknown)); // not of this run
-  EXPECT_FALSE(runWithHistory_.replace(unknown, 0));
-  EXPECT_TRUE(runWithHistory_.exists());
+  EXPECT_FALSE(runWithHistory_.startNewRun(unknown, 0));
+  EXPECT_TRUE(runWithHistory_.hasRun());
   EXPECT_EQ(runWithHistory_.definition()->method, "dewpoint");
   runWithHistory_.restart(77);
   EXPECT_EQ(runWithHistory_.definition()->seed, 77U);
-  EXPECT_EQ(runWithHistory_.head(), -1);
+  EXPECT_EQ(runWithHistory_.headFrame(), -1);
 }
 
 } // namespace

@@ -60,7 +60,7 @@ TEST_F(SavedRun, TellsOfTheRunAfterTheRestart) {
   session.stepFrame();
   ASSERT_TRUE(test::eventually([&] {
     const TrackSnapshotPtr now = session.newest();
-    return now->iterations == 1 && now->state == PlayState::Paused;
+    return now->iterationCount == 1 && now->state == PlayState::Paused;
   }));
   ASSERT_TRUE(session.saveRun(folder));
   EXPECT_EQ(report()["frames"], 1);

@@ -25,36 +25,36 @@ TEST(Session, TheLogIsReadInPiecesAndKnowsRestarts) {
   EXPECT_TRUE(session.iterationsSince(generation, position).restarted); // a new reader starts anew
   session.stepFrame();
   session.stepFrame();
-  ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 2; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->iterationCount == 2; }));
   auto piece = session.iterationsSince(generation, position);
   EXPECT_FALSE(piece.restarted);
   ASSERT_EQ(piece.records.size(), 2U);
   EXPECT_EQ(piece.records[1].iteration, 2);
   EXPECT_EQ(piece.records[1].frame, 1);
   const IterationRecord& record = piece.records[1];
-  EXPECT_DOUBLE_EQ(record.time, seconds(timeStamp(1.0 / 30.0))); // of frame 1 at 30 per second
+  EXPECT_DOUBLE_EQ(record.frameTime, seconds(timeStamp(1.0 / 30.0))); // of frame 1 at 30 per second
   EXPECT_EQ(record.particleCount, 100);
-  EXPECT_GT(record.microseconds, 0.0);
+  EXPECT_GT(record.durationMicroseconds, 0.0);
   // The spread is the root of the trace of the covariance.
   EXPECT_NEAR(record.spreadPerAxis.norm(), record.spread, 1e-9);
-  EXPECT_TRUE(record.isHeld);
+  EXPECT_TRUE(record.isConfirmed);
   EXPECT_EQ(record.position, std::get<SphereEstimate>(session.newest()->targets[0].estimate).mean);
   EXPECT_FALSE(record.truth.allFinite()); // nobody knows it
   EXPECT_TRUE(std::isnan(record.boxWidth));
-  ASSERT_EQ(record.cameras.size(), 2U);
-  for (const CameraEvidence& camera : record.cameras) {
+  ASSERT_EQ(record.cameraEvidence.size(), 2U);
+  for (const CameraEvidence& camera : record.cameraEvidence) {
     // The start lies on the disc, whose image is larger than the window: all 25 pixels match, so
     // the likelihood is 25/25 and the odds against chance (1/25) are 25 to 1.
-    EXPECT_TRUE(camera.inView);
-    EXPECT_DOUBLE_EQ(camera.visible, 1.0);
+    EXPECT_TRUE(camera.isInView);
+    EXPECT_DOUBLE_EQ(camera.visibleShare, 1.0);
     EXPECT_DOUBLE_EQ(camera.logLikelihood, 0.0);
     EXPECT_NEAR(camera.existenceProbability, 25.0 / 26.0, 1e-12);
   }
   EXPECT_TRUE(session.iterationsSince(generation, position).records.empty());
   session.restart(5);
   session.stepFrame();
-  ASSERT_TRUE(
-      eventually([&] { return session.newest()->seed == 5 && session.newest()->iterations == 1; }));
+  ASSERT_TRUE(eventually(
+      [&] { return session.newest()->seed == 5 && session.newest()->iterationCount == 1; }));
   piece = session.iterationsSince(generation, position);
   EXPECT_TRUE(piece.restarted);
   EXPECT_EQ(piece.records.size(), 1U);
@@ -71,13 +71,13 @@ TEST(Session, TheLogHasTheTruthWhereItIsKnown) {
   Session session(std::move(with));
   session.stepFrame();
   session.stepFrame(); // frame 1 has no truth
-  ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 2; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->iterationCount == 2; }));
   std::uint64_t generation = 0;
   std::size_t position = 0;
   const auto records = session.iterationsSince(generation, position).records;
   ASSERT_EQ(records.size(), 2U);
   EXPECT_EQ(records[0].truth, test::kBall);
-  EXPECT_EQ(records[0].error, (records[0].position - test::kBall).norm());
+  EXPECT_EQ(records[0].distanceToTruth, (records[0].position - test::kBall).norm());
   EXPECT_FALSE(records[1].truth.allFinite());
 }
 
@@ -139,7 +139,7 @@ TEST(Session, NoticesOfLiveCamerasComeAndGoAlsoWhilePausedAndAreLogged) {
   const RunStatistics figures = session.record().statistics;
   EXPECT_EQ(figures.notices.size(), 2U); // also after they are over
   ASSERT_EQ(figures.noticeLog.periods().size(), 2U);
-  EXPECT_TRUE(figures.noticeLog.periods()[0].to.has_value());
+  EXPECT_TRUE(figures.noticeLog.periods()[0].endSeconds.has_value());
 }
 
 } // namespace

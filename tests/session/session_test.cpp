@@ -35,7 +35,7 @@ TEST(Session, ShowsTheFirstFramePausedAndUntracked) {
   const auto snapshot = session.newest();
   EXPECT_EQ(snapshot->frame, 0);
   EXPECT_EQ(snapshot->state, PlayState::Paused);
-  EXPECT_EQ(snapshot->iterations, 0);
+  EXPECT_EQ(snapshot->iterationCount, 0);
   EXPECT_EQ(snapshot->frameCount, 12);
   ASSERT_EQ(snapshot->frames->frames.size(), 2U);
   EXPECT_EQ(snapshot->frames->frames[1]->image.cols, 160);
@@ -59,8 +59,8 @@ TEST(Session, CountsHowOftenTheTimeBudgetIsKept) {
     playedToTheEnd(session);
     const BudgetStatistics figures = session.newest()->budget;
     EXPECT_EQ(figures.budgetMilliseconds, budget);
-    EXPECT_EQ(figures.iterations, 12);
-    EXPECT_EQ(figures.lateIterations, budget > 1.0 ? 0 : 12);
+    EXPECT_EQ(figures.iterationCount, 12);
+    EXPECT_EQ(figures.lateIterationCount, budget > 1.0 ? 0 : 12);
   }
 }
 
@@ -74,10 +74,10 @@ TEST(Session, PlaysToTheEndWithOneSamplePerFrame) {
     EXPECT_DOUBLE_EQ(trajectory.samples[k].time, seconds(timeStamp(static_cast<double>(k) / 30.0)));
   }
   // The cloud starts on the disc of both cameras: it stays there, within the ball's radius.
-  EXPECT_TRUE(trajectory.samples.back().valid);
+  EXPECT_TRUE(trajectory.samples.back().isValid);
   EXPECT_LT((trajectory.samples.back().position - test::kBall).norm(), test::kBallRadius);
-  EXPECT_EQ(session.newest()->targets[0].tail.size(), 12U);
-  EXPECT_EQ(session.newest()->iterations, 12);
+  EXPECT_EQ(session.newest()->targets[0].tailPositions.size(), 12U);
+  EXPECT_EQ(session.newest()->iterationCount, 12);
 }
 
 TEST(Session, PauseStops) {
@@ -97,8 +97,8 @@ TEST(Session, StepFrameDoesOneFrameWithAllItsIterations) {
   Session session(inputs({}, projectWithParameter("iterations_per_frame", 7)));
   for (int step = 1; step <= 3; ++step) {
     session.stepFrame();
-    ASSERT_TRUE(eventually([&] { return session.newest()->iterations >= 7 * step; }));
-    EXPECT_EQ(session.newest()->iterations, 7 * step);
+    ASSERT_TRUE(eventually([&] { return session.newest()->iterationCount >= 7 * step; }));
+    EXPECT_EQ(session.newest()->iterationCount, 7 * step);
     EXPECT_EQ(session.newest()->frame, step - 1); // the first step is on the frame shown at first
     EXPECT_EQ(session.newest()->state, PlayState::Paused);
     EXPECT_EQ(session.trajectory().samples.size(), static_cast<std::size_t>(step));
@@ -109,27 +109,27 @@ TEST(Session, StepIterationStaysOnTheFrame) {
   Session session(inputs());
   for (int step = 1; step <= 3; ++step) {
     session.stepIteration();
-    ASSERT_TRUE(eventually([&] { return session.newest()->iterations >= step; }));
-    EXPECT_EQ(session.newest()->iterations, step);
+    ASSERT_TRUE(eventually([&] { return session.newest()->iterationCount >= step; }));
+    EXPECT_EQ(session.newest()->iterationCount, step);
     EXPECT_EQ(session.newest()->frame, 0);
   }
   session.stepFrame();
   ASSERT_TRUE(eventually([&] { return session.newest()->frame == 1; }));
-  EXPECT_EQ(session.newest()->iterations, 4);
+  EXPECT_EQ(session.newest()->iterationCount, 4);
   EXPECT_EQ(session.trajectory().samples.size(), 2U);
 }
 
 TEST(Session, IterationsAfterAFrameReplaceItsSample) {
   Session session(inputs());
   session.stepFrame();
-  ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 1; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->iterationCount == 1; }));
   const auto before = session.trajectory();
   session.stepIteration();
-  ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 2; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->iterationCount == 2; }));
   const auto after = session.trajectory();
   ASSERT_EQ(after.samples.size(), 1U);
   EXPECT_FALSE(test::sameBits(before, after));
-  EXPECT_EQ(session.newest()->targets[0].tail.size(), 1U);
+  EXPECT_EQ(session.newest()->targets[0].tailPositions.size(), 1U);
   EXPECT_EQ(playedToTheEnd(session).samples.size(), 12U);
 }
 
@@ -139,7 +139,7 @@ TEST(Session, SameSeedSameBitsOtherSeedOtherBits) {
   session.restart();
   ASSERT_TRUE(reaches(session, PlayState::Paused));
   EXPECT_EQ(session.newest()->frame, 0);
-  EXPECT_EQ(session.newest()->iterations, 0);
+  EXPECT_EQ(session.newest()->iterationCount, 0);
   EXPECT_TRUE(session.trajectory().samples.empty());
   EXPECT_TRUE(test::sameBits(playedToTheEnd(session), first));
   session.restart(2);
@@ -169,11 +169,11 @@ TEST(Session, PlayAtTheEndStartsAgain) {
 TEST(Session, ParametersActOnTheNextStep) {
   Session session(inputs());
   session.stepFrame();
-  ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 1; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->iterationCount == 1; }));
   EXPECT_EQ(std::get<SphereEstimate>(session.newest()->targets[0].estimate).particleCount, 100);
   session.setParameters(projectWithParameter("particles", 350).parameters);
   session.stepFrame();
-  ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 2; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->iterationCount == 2; }));
   EXPECT_EQ(std::get<SphereEstimate>(session.newest()->targets[0].estimate).particleCount, 350);
   EXPECT_EQ(session.newest()->targets[0].particles.rows(), 350);
   EXPECT_EQ(session.newest()->targets[0].weights.size(), 350);
@@ -185,7 +185,7 @@ TEST(Session, TargetsActOnTheNextStep) {
   targets[0].color = {100.0, 140.0, 0.25, 0.65, 0.15, 0.9}; // green: nothing in the pictures
   session.setTargets(targets);
   session.stepFrame();
-  ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 1; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->iterationCount == 1; }));
   EXPECT_EQ(std::get<SphereEstimate>(session.newest()->targets[0].estimate).seeingCameraCount, 0);
   EXPECT_EQ(session.newest()->targets[0].target.color, targets[0].color);
 }
@@ -270,11 +270,11 @@ TEST(Session, LiveWaitsThroughEmptySets) {
   *options.delivering = false;
   session.pause();
   ASSERT_TRUE(reaches(session, PlayState::Paused));
-  const auto iterations = session.newest()->iterations;
+  const auto iterations = session.newest()->iterationCount;
   session.stepFrame(); // nothing comes: the old frame is not tracked a second time
   session.setMasksShown(false);
   ASSERT_TRUE(eventually([&] { return session.newest()->masks.empty(); }));
-  EXPECT_EQ(session.newest()->iterations, iterations);
+  EXPECT_EQ(session.newest()->iterationCount, iterations);
   session.restart(7); // forgets the frame, waits for another
   ASSERT_TRUE(eventually([&] { return session.newest()->seed == 7; }));
   EXPECT_EQ(session.newest()->frame, -1);
@@ -310,20 +310,21 @@ TEST(Session, TruthGivesErrors) {
   with.truth.samples = {truth};
   Session session(std::move(with));
   session.stepFrame();
-  ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 1; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->iterationCount == 1; }));
   const auto snapshot = session.newest();
   ASSERT_TRUE(snapshot->targets[0].truth.has_value());
   std::uint64_t generation = 0;
   std::size_t position = 0;
   const auto piece = session.iterationsSince(generation, position);
   ASSERT_EQ(piece.records.size(), 1U);
-  EXPECT_EQ(piece.records[0].error, (std::get<SphereEstimate>(snapshot->targets[0].estimate).mean -
-                                     snapshot->targets[0].truth.value())
-                                        .norm());
+  EXPECT_EQ(piece.records[0].distanceToTruth,
+            (std::get<SphereEstimate>(snapshot->targets[0].estimate).mean -
+             snapshot->targets[0].truth.value())
+                .norm());
   session.stepFrame(); // frame 1 has no truth
-  ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 2; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->iterationCount == 2; }));
   EXPECT_FALSE(session.newest()->targets[0].truth.has_value());
-  EXPECT_LT(session.iterationsSince(generation, position).records.at(0).error, 0.0);
+  EXPECT_LT(session.iterationsSince(generation, position).records.at(0).distanceToTruth, 0.0);
 }
 
 TEST(Session, WakesOncePerSnapshotUntilToldNotTo) {

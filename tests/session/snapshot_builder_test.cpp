@@ -17,9 +17,9 @@ using test::eventually;
 
 void iterateTo(Session& session, std::int64_t frame) {
   while (session.newest()->history.newestTrackedFrame < frame) {
-    const std::int64_t before = session.newest()->iterations;
+    const std::int64_t before = session.newest()->iterationCount;
     session.stepFrame();
-    ASSERT_TRUE(eventually([&] { return session.newest()->iterations > before; }));
+    ASSERT_TRUE(eventually([&] { return session.newest()->iterationCount > before; }));
   }
 }
 
@@ -35,18 +35,18 @@ TrackSnapshotPtr shown(Session& session, std::int64_t frame) {
 TEST(SnapshotBuilder, NewBeliefsBeginNewTails) {
   Session session(drawnInputs("dewpoint", 60));
   iterateTo(session, 9);
-  EXPECT_EQ(session.newest()->targets.at(0).tail.size(), 10U);
+  EXPECT_EQ(session.newest()->targets.at(0).tailPositions.size(), 10U);
   Target second = drawn::redBall();
   second.name = "second";
   session.setTargets({drawn::redBall(), second});
   ASSERT_TRUE(eventually([&] { return session.newest()->targets.size() == 2; }));
-  EXPECT_TRUE(session.newest()->targets[0].tail.empty()); // nothing is believed yet
+  EXPECT_TRUE(session.newest()->targets[0].tailPositions.empty()); // nothing is believed yet
   iterateTo(session, 12);
   // The frame they begin in is tracked again: 9, 10, 11, 12.
-  EXPECT_EQ(session.newest()->targets.at(0).tail.size(), 4U);
-  EXPECT_EQ(session.newest()->targets.at(1).tail.size(), 4U);
-  EXPECT_EQ(shown(session, 11)->targets.at(0).tail.size(), 3U);
-  EXPECT_EQ(shown(session, 5)->targets.at(0).tail.size(), 6U);
+  EXPECT_EQ(session.newest()->targets.at(0).tailPositions.size(), 4U);
+  EXPECT_EQ(session.newest()->targets.at(1).tailPositions.size(), 4U);
+  EXPECT_EQ(shown(session, 11)->targets.at(0).tailPositions.size(), 3U);
+  EXPECT_EQ(shown(session, 5)->targets.at(0).tailPositions.size(), 6U);
 }
 
 TEST(SnapshotBuilder, ARenamedTargetHasItsNewNameInAllFrames) {
@@ -100,14 +100,14 @@ TEST(SnapshotBuilder, AFrameLooksTheSameNowAndLater) {
   EXPECT_FALSE(then->isPast);
   EXPECT_TRUE(later->isPast);
   EXPECT_TRUE(then->isTracked && later->isTracked);
-  EXPECT_EQ(then->iterations, later->iterations);
+  EXPECT_EQ(then->iterationCount, later->iterationCount);
   ASSERT_EQ(then->masks.size(), later->masks.size());
   EXPECT_EQ(cv::norm(then->masks[0], later->masks[0], cv::NORM_INF), 0.0);
   const TargetSnapshot& a = then->targets.at(0);
   const TargetSnapshot& b = later->targets.at(0);
   EXPECT_EQ(positionOf(a.estimate)->mean, positionOf(b.estimate)->mean);
-  ASSERT_EQ(a.tail.size(), b.tail.size());
-  EXPECT_EQ(a.tail.back(), b.tail.back());
+  ASSERT_EQ(a.tailPositions.size(), b.tailPositions.size());
+  EXPECT_EQ(a.tailPositions.back(), b.tailPositions.back());
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.cameraReports.size(), b.cameraReports.size());
   EXPECT_EQ(a.positionCandidates.size(), b.positionCandidates.size());
@@ -145,11 +145,11 @@ TEST(SnapshotBuilder, AFrameIsDescribedWithoutBeingShown) {
   const TrackSnapshotPtr shown12 = shown(session, 12);
   EXPECT_EQ(positionOf((*past)->targets.at(0).estimate)->mean,
             positionOf(shown12->targets.at(0).estimate)->mean);
-  EXPECT_EQ((*past)->targets[0].tail.size(), shown12->targets[0].tail.size());
+  EXPECT_EQ((*past)->targets[0].tailPositions.size(), shown12->targets[0].tailPositions.size());
   EXPECT_EQ((*past)->targets[0].particles.rows(), shown12->targets[0].particles.rows());
   // The current frame looks like the others: with as many particles as were kept of them.
   EXPECT_EQ((*current)->targets.at(0).particles.rows(), (*past)->targets.at(0).particles.rows());
-  EXPECT_EQ((*current)->targets[0].tail.size(), 21U);
+  EXPECT_EQ((*current)->targets[0].tailPositions.size(), 21U);
 }
 
 TEST(SnapshotBuilder, DescribesTheMapsThatAreShown) {

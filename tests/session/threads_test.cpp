@@ -47,16 +47,16 @@ TEST(CommandQueue, ComesBackAtTheDeadlineAndWhenStopped) {
 
 TEST(SnapshotPublisher, ReadersSeeWholeSnapshotsInOrder) {
   SnapshotPublisher publisher;
-  ASSERT_NE(publisher.newest(), nullptr);
+  ASSERT_NE(publisher.newestSnapshot(), nullptr);
   constexpr std::int64_t kLast = 3000;
   std::vector<std::jthread> readers;
   for (int k = 0; k < 2; ++k) {
     readers.emplace_back([&publisher] {
       std::int64_t last = -1;
       while (last < kLast) {
-        const auto snapshot = publisher.newest();
+        const auto snapshot = publisher.newestSnapshot();
         EXPECT_GE(snapshot->frame, last);
-        EXPECT_TRUE(snapshot->frame < 0 || snapshot->iterations == 2 * snapshot->frame);
+        EXPECT_TRUE(snapshot->frame < 0 || snapshot->iterationCount == 2 * snapshot->frame);
         last = snapshot->frame;
       }
     });
@@ -71,7 +71,7 @@ TEST(SnapshotPublisher, ReadersSeeWholeSnapshotsInOrder) {
     }
     auto snapshot = std::make_shared<TrackSnapshot>();
     snapshot->frame = frame;
-    snapshot->iterations = 2 * frame;
+    snapshot->iterationCount = 2 * frame;
     publisher.publish(std::move(snapshot));
   }
   EXPECT_EQ(wakes, 500);
@@ -95,7 +95,7 @@ TEST(SnapshotPublisher, NeverWakesAfterTheWakeUpWasTakenBack) {
 TEST(SnapshotPublisher, WhoIsWokenMayReadTheNewest) {
   SnapshotPublisher publisher;
   std::int64_t read = -1;
-  publisher.onSnapshot([&] { read = publisher.newest()->frame; });
+  publisher.onSnapshot([&] { read = publisher.newestSnapshot()->frame; });
   auto snapshot = std::make_shared<TrackSnapshot>();
   snapshot->frame = 7;
   publisher.publish(std::move(snapshot));
@@ -106,14 +106,14 @@ TEST(RunLog, OldRecordsAreThinnedAndCountedOn) {
   RunLog log;
   std::uint64_t generation = 0;
   std::size_t position = 0;
-  log.since(generation, position);
+  log.iterationsSince(generation, position);
   for (int k = 0; k < 250001; ++k) { // more than it keeps
     log.append(std::vector<IterationRecord>{{k, k, 0, 0.0, 0.0, -1.0}});
   }
-  const auto piece = log.since(generation, position);
+  const auto piece = log.iterationsSince(generation, position);
   EXPECT_FALSE(piece.restarted);
   ASSERT_FALSE(piece.records.empty());
-  EXPECT_LE(piece.records.size(), RunLog::kMaxRecords);
+  EXPECT_LE(piece.records.size(), RunLog::kMaxIterationRecords);
   EXPECT_EQ(piece.records.front().iteration, 0); // the beginning is there, in coarse steps
   for (std::size_t k = 1; k < piece.records.size(); ++k) {
     const auto step = piece.records[k].iteration - piece.records[k - 1].iteration;
@@ -126,7 +126,7 @@ TEST(RunLog, OldRecordsAreThinnedAndCountedOn) {
   EXPECT_EQ(piece.records.back().iteration, 250000);
   EXPECT_EQ(position, 250001U);
   log.append(std::vector<IterationRecord>{{250001, 0, 0, 0.0, 0.0, -1.0}});
-  EXPECT_EQ(log.since(generation, position).records.size(), 1U);
+  EXPECT_EQ(log.iterationsSince(generation, position).records.size(), 1U);
 }
 
 TEST(RunLog, GoingBackForgetsWhatCameLaterAndGivesTheRestAgain) {
@@ -139,14 +139,14 @@ TEST(RunLog, GoingBackForgetsWhatCameLaterAndGivesTheRestAgain) {
     sample.frame = k / 2;
     log.append(std::vector<TrajectorySample>{sample});
   }
-  EXPECT_EQ(log.since(generation, position).records.size(), 10U);
+  EXPECT_EQ(log.iterationsSince(generation, position).records.size(), 10U);
   log.goBack(3); // frames 3 and 4 had two iterations each
   EXPECT_EQ(log.trajectory().samples.size(), 3U);
-  auto piece = log.since(generation, position);
+  auto piece = log.iterationsSince(generation, position);
   EXPECT_TRUE(piece.restarted);
   EXPECT_EQ(piece.records.size(), 6U);
   log.append(std::vector<IterationRecord>{{6, 3, 0, 0.0, 0.0, -1.0}});
-  piece = log.since(generation, position);
+  piece = log.iterationsSince(generation, position);
   EXPECT_FALSE(piece.restarted);
   ASSERT_EQ(piece.records.size(), 1U);
   EXPECT_EQ(piece.records[0].frame, 3);
@@ -169,7 +169,7 @@ TEST(RunLog, IsReadWhileItIsWritten) {
   std::size_t position = 0;
   std::int64_t next = 0;
   while (generation < 6 || next < 1000) { // the first run is generation 2, the last 6
-    const auto piece = log.since(generation, position);
+    const auto piece = log.iterationsSince(generation, position);
     next = piece.restarted ? 0 : next;
     for (const auto& record : piece.records) {
       ASSERT_EQ(record.iteration, next++);

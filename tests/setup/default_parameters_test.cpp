@@ -54,7 +54,7 @@ TEST(DefaultParameters, WhatComesFromTheCamerasGoesBackToThem) {
   Project project = threeCameras();
   const Project before = project;
   project.parameters = effectiveParameters(project);
-  project.parameters.markAllGiven(); // as the window gives all of them with the first
+  project.parameters.markAllAsGiven(); // as the window gives all of them with the first
   ASSERT_TRUE(project.parameters.set("start_x", 7.0));
   ASSERT_TRUE(project.parameters.set("start_y", 8.0));
   EXPECT_TRUE(isChangedIn(project, "start_x"));
@@ -69,14 +69,14 @@ TEST(DefaultParameters, WhatComesFromTheCamerasGoesBackToThem) {
 
 TEST(DefaultParameters, AGivenDefaultIsNoChange) {
   Project project = threeCameras();
-  project.parameters.markAllGiven(); // the method's own, which are not what these cameras see
+  project.parameters.markAllAsGiven(); // the method's own, which are not what these cameras see
   ASSERT_NE(defaultParameters(project).at("start_x"), project.parameters.at("start_x"));
   EXPECT_FALSE(isChangedIn(project, "start_x"));
 }
 
 TEST(DefaultParameters, AllThatAreChangedAreResetAtOnce) {
   Project project = threeCameras();
-  project.parameters.markAllGiven();
+  project.parameters.markAllAsGiven();
   const Project before = project;
   ASSERT_TRUE(project.parameters.set("particles", 300.0));
   ASSERT_TRUE(project.parameters.set("kld_error", 0.3));

@@ -11,10 +11,10 @@ ListedDevice listedWebcam() {
   ListedDevice listed;
   CameraDevice& device = listed.device;
   device.path = "/dev/video0";
-  device.address = "/dev/v4l/by-id/usb-A5-video-index0";
+  device.stablePath = "/dev/v4l/by-id/usb-A5-video-index0";
   device.identity = {"pci-0:3:1.0", "A5", "HD Webcam", "046d:0825"};
   device.driver = "uvcvideo";
-  device.usb = {1, 480.0, 480.0};
+  device.usbLink = {1, 480.0, 480.0};
   device.formats = {{"MJPG", "Motion-JPEG", true, {{1280, 720, {30.0, 7.5}}}, false},
                     {"YUYV", "YUYV 4:2:2", false, {{640, 480, {}}}, true}};
   return listed;
@@ -27,13 +27,13 @@ std::vector<DeviceControl> listedControls() {
   exposure.maximum = 2047;
   exposure.defaultValue = 250;
   exposure.value = 157;
-  exposure.inactive = true;
+  exposure.isInactive = true;
   DeviceControl automatic;
   automatic.name = "auto_exposure";
   automatic.kind = ControlKind::Menu;
   automatic.maximum = 3;
   automatic.defaultValue = automatic.value = 3;
-  automatic.menu = {{1, "Manual Mode"}, {3, "Aperture Priority Mode"}};
+  automatic.menuItems = {{1, "Manual Mode"}, {3, "Aperture Priority Mode"}};
   return {exposure, automatic};
 }
 
@@ -41,7 +41,7 @@ TEST(DeviceList, IsTextForPeople) {
   ListedDevice first = listedWebcam();
   first.controls = listedControls();
   ListedDevice second;
-  second.device.path = second.device.address = "/dev/video2";
+  second.device.path = second.device.stablePath = "/dev/video2";
   second.device.identity = {"usb-2", "", "Other", ""};
   second.device.problem = "it cannot be opened: another program uses it";
   EXPECT_EQ(deviceListText(std::vector{first, second}),
@@ -96,7 +96,7 @@ TEST(IdentifyDevices, OnlyThoseThatHaveNoIdentity) {
   project.cameras[3].device.identity.serial = "other";
   EXPECT_EQ(identifyDevices(project, devices), 1U);
   EXPECT_EQ(project.cameras[0].device.identity, devices[0].identity);
-  EXPECT_EQ(project.cameras[0].location, devices[0].address);
+  EXPECT_EQ(project.cameras[0].location, devices[0].stablePath);
   EXPECT_TRUE(project.cameras[1].device.identity.isEmpty());
   EXPECT_TRUE(project.cameras[2].device.identity.isEmpty());
   EXPECT_EQ(project.cameras[3].device.identity.serial, "other");

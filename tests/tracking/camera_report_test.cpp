@@ -34,7 +34,7 @@ protected:
     for (int frame = 0; frame < 20; ++frame) {
       run_.show({kTarget});
     }
-    EXPECT_TRUE(run_.estimate().valid);
+    EXPECT_TRUE(run_.estimate().isValid);
   }
   DrawnRun run_;
 };
@@ -75,7 +75,7 @@ TEST_F(CameraReportTest, BesideADistractor) {
     const auto a = projector.project(kTarget.center, kTarget.radius).value();
     const auto b = projector.project(other.center, other.radius).value();
     const double gap = (a.center - b.center).norm() - a.radius - b.radius;
-    EXPECT_NEAR(reports[k].distancePx, gap, 2.0);
+    EXPECT_NEAR(reports[k].outlineDistancePx, gap, 2.0);
   }
 }
 
@@ -118,7 +118,7 @@ TEST(BarreraReports, SayWhereTheColorIs) {
     const Projector projector(rig[k]);
     const auto middle = projector.project(sphereOf(**tracker).mean).value();
     const auto ball = SphereProjector(rig[k]).project(far.center, far.radius).value();
-    EXPECT_NEAR(report.distancePx, (middle - ball.center).norm() - ball.radius, 1.5);
+    EXPECT_NEAR(report.outlineDistancePx, (middle - ball.center).norm() - ball.radius, 1.5);
   }
   (*tracker)->beginFrame(drawn::framesOf(rig, {}, 11));
   (*tracker)->iterate(team);

@@ -22,7 +22,7 @@ TEST(MethodCatalog, KnowsEveryMethod) {
         makeTracker(method, parametersOf(method.c_str()), rig, {redBall(), redBall()});
     ASSERT_TRUE(tracker) << method;
     EXPECT_EQ((*tracker)->trackCount(), 2U) << method;
-    EXPECT_FALSE(sphereOf(**tracker).valid) << method;
+    EXPECT_FALSE(sphereOf(**tracker).isValid) << method;
   }
 }
 
@@ -70,7 +70,7 @@ TEST(IndependentTrackers, NoneKnowsOfTheOthers) {
   alone[2].copyParticles(50, theirs, weights);
   EXPECT_TRUE((ours == theirs).all());
   (*together)->restart(42);
-  EXPECT_FALSE(sphereOf(**together).valid);
+  EXPECT_FALSE(sphereOf(**together).isValid);
 }
 
 TEST(IndependentTrackers, TakeTargetsAndParametersOfAll) {
@@ -107,12 +107,12 @@ TEST(StartParameters, DeclareAVolumeAndGiveItBack) {
   const auto declarations = startParameters(defaults);
   ASSERT_EQ(declarations.size(), 6U);
   ParameterValues values{std::span<const ParameterDeclaration>(declarations)};
-  EXPECT_EQ(startVolume(values).center, defaults.center);
-  EXPECT_EQ(startVolume(values).halfSize, defaults.halfSize);
+  EXPECT_EQ(startVolumeOf(values).center, defaults.center);
+  EXPECT_EQ(startVolumeOf(values).halfSize, defaults.halfSize);
   EXPECT_TRUE(values.set("start_y", 7.0));
   EXPECT_TRUE(values.set("start_half_x", 1.5));
-  EXPECT_EQ(startVolume(values).center, Eigen::Vector3d(1.0, 7.0, 0.5));
-  EXPECT_EQ(startVolume(values).halfSize, Eigen::Vector3d(1.5, 0.0, 3.0));
+  EXPECT_EQ(startVolumeOf(values).center, Eigen::Vector3d(1.0, 7.0, 0.5));
+  EXPECT_EQ(startVolumeOf(values).halfSize, Eigen::Vector3d(1.5, 0.0, 3.0));
   EXPECT_FALSE(values.set("start_half_x", -0.1)); // a half size is not negative
 }
 

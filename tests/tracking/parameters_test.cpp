@@ -34,7 +34,7 @@ TEST(Parameters, EveryDeclarationIsSound) {
     EXPECT_FALSE(methodSummary(name).empty()) << name;
     for (const auto& declaration : methodParameters(name)) {
       EXPECT_LT(declaration.minimum, declaration.maximum) << declaration.key;
-      EXPECT_GT(declaration.step, 0.0) << declaration.key;
+      EXPECT_GT(declaration.stepSize, 0.0) << declaration.key;
       EXPECT_FALSE(declaration.label.empty() || declaration.description.empty()) << declaration.key;
       EXPECT_TRUE(!declaration.hasLogarithmicSlider || declaration.minimum > 0.0)
           << declaration.key;

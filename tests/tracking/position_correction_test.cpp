@@ -72,7 +72,7 @@ TEST_P(CorrectedPosition, HoldsAtOnce) {
   const SphereEstimate estimate = sphereOf(*tracker);
   EXPECT_LT((estimate.mean - kLeft).norm(), 0.005);
   EXPECT_LE(estimate.covariance.trace(), 3.0 * 0.005 * 0.005 + 1e-12);
-  EXPECT_TRUE(estimate.valid);
+  EXPECT_TRUE(estimate.isValid);
   EXPECT_GT(estimate.existenceProbability, 0.9);
   EXPECT_EQ(estimate.seeingCameraCount, 2);
   Eigen::ArrayXXd positions;
@@ -110,12 +110,12 @@ TEST(CorrectedDewpoint, GoesOnFromThereAndLeavesTheOther) {
   run.correct(around(kRight + Eigen::Vector3d(0.008, -0.006, 0.0)));
   // The images of the frame make a rough click precise.
   EXPECT_LT((run.estimate().mean - kRight).norm(), kClose);
-  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_TRUE(run.estimate().isValid);
   for (int frame = 0; frame < 30; ++frame) {
     const Eigen::Vector3d moved = kRight + Eigen::Vector3d(0.0, 0.003 * frame, 0.0);
     const SphereEstimate estimate = run.show({Ball{kLeft}, Ball{moved}});
     EXPECT_LT((estimate.mean - moved).norm(), 2.0 * kClose) << frame;
-    EXPECT_TRUE(estimate.valid) << frame;
+    EXPECT_TRUE(estimate.isValid) << frame;
   }
 }
 
@@ -139,7 +139,7 @@ TEST(CorrectedDewpoint, FindsTheTargetAlongTheRayOfOneClick) {
   onTheRay.covariance += 0.15 * 0.15 * ray * ray.transpose();
   run.correct(onTheRay);
   EXPECT_LT((run.estimate().mean - kRight).norm(), 0.01);
-  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_TRUE(run.estimate().isValid);
   EXPECT_LT((run.show({Ball{kLeft}, Ball{kRight}}).mean - kRight).norm(), kClose);
 }
 
@@ -167,14 +167,14 @@ TEST(CorrectedDewpoint, ExchangesTargetsThatWereConfused) {
   for (int frame = 0; frame < 8; ++frame) {
     run.show(balls);
   }
-  ASSERT_TRUE(run.estimate(0).valid && run.estimate(1).valid);
+  ASSERT_TRUE(run.estimate(0).isValid && run.estimate(1).isValid);
   const Eigen::Vector3d first = run.estimate(0).mean;
   const Eigen::Vector3d second = run.estimate(1).mean;
   ASSERT_GT((first - second).norm(), 0.2);
   ThreadTeam team(1);
   run.tracker().correctPosition(0, around(second), team);
   EXPECT_LT((run.estimate(0).mean - second).norm(), kClose);
-  EXPECT_FALSE(run.estimate(1).valid);
+  EXPECT_FALSE(run.estimate(1).isValid);
   for (int frame = 0; frame < 10; ++frame) {
     run.show(balls);
     EXPECT_LT((run.estimate(0).mean - second).norm(), 2.0 * kClose) << frame;

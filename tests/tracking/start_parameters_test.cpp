@@ -25,7 +25,7 @@ TEST(StartParameters, OfEveryMethodComeFromTheCameras) {
   const auto seen = seenVolume(drawn::rigAround(3));
   ASSERT_TRUE(seen.has_value());
   for (const char* method : {"dewpoint", "barrera", "dynamics"}) {
-    const StartVolume start = startVolume(inUse(defaultsOf(method)));
+    const StartVolume start = startVolumeOf(inUse(defaultsOf(method)));
     // In steps of a centimeter; a half size is never too small by more than the center was moved.
     EXPECT_LT((start.center - seen->center()).cwiseAbs().maxCoeff(), 0.0051) << method;
     EXPECT_LT((start.halfSize - seen->halfSize()).maxCoeff(), 0.0101) << method;
@@ -52,11 +52,11 @@ TEST(StartParameters, HoldAsTheyAreGiven) {
   ParameterValues size = defaultsOf("dewpoint");
   ASSERT_TRUE(size.set("search_size", 7.0));
   EXPECT_EQ(inUse(size).at("search_size"), 7.0);
-  EXPECT_EQ(startVolume(inUse(size)).center, startVolume(inUse(defaultsOf("dewpoint"))).center);
+  EXPECT_EQ(startVolumeOf(inUse(size)).center, startVolumeOf(inUse(defaultsOf("dewpoint"))).center);
   ParameterValues all = defaultsOf("barrera");
   EXPECT_FALSE(all.isGiven("start_x"));
   EXPECT_TRUE(all.isGiven("particles")); // does not come from the cameras
-  all.markAllGiven();
+  all.markAllAsGiven();
   EXPECT_TRUE(all.isGiven("start_x"));
   EXPECT_FALSE(all == defaultsOf("barrera"));
   EXPECT_EQ(inUse(all), all);
@@ -90,12 +90,12 @@ TEST(StartParameters, LieInTheVolumeOfInterest) {
   const WorldBox volume{drawn::kMiddle - Eigen::Vector3d(0.1, 0.2, 0.1),
                         drawn::kMiddle + Eigen::Vector3d(0.1, 0.2, 0.1)};
   const ParameterValues used = inUse(defaultsOf("dewpoint"), volume);
-  EXPECT_LT((startVolume(used).center - drawn::kMiddle).norm(), 0.01);
+  EXPECT_LT((startVolumeOf(used).center - drawn::kMiddle).norm(), 0.01);
   EXPECT_NEAR(used.at("start_half_y"), 0.2, 0.0101);
   EXPECT_NEAR(used.at("search_size"), 0.4, 0.101);
   // Out of sight of all cameras.
   const WorldBox elsewhere{{20.0, 20.0, 0.0}, {22.0, 21.0, 1.0}};
-  EXPECT_EQ(startVolume(inUse(defaultsOf("barrera"), elsewhere)).center,
+  EXPECT_EQ(startVolumeOf(inUse(defaultsOf("barrera"), elsewhere)).center,
             Eigen::Vector3d(21.0, 20.5, 0.5));
 }
 
@@ -117,7 +117,7 @@ TEST(CarriedOver, DefaultsThatWereGivenDoNotComeFromTheCameras) {
   EXPECT_FALSE(carryOverParameters(defaultsOf("dewpoint"), "barrera").isGiven("start_x"));
   EXPECT_FALSE(carryOverParameters(inUse(defaultsOf("dewpoint")), "barrera").isGiven("start_x"));
   ParameterValues given = defaultsOf("dewpoint");
-  given.markAllGiven();
+  given.markAllAsGiven();
   ASSERT_TRUE(given.set("start_z", 0.3));
   const ParameterValues carried = carryOverParameters(given, "barrera");
   EXPECT_EQ(carried.at("start_x"), 0.4);

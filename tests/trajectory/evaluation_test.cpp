@@ -47,16 +47,16 @@ TEST(Evaluation, HandWorkedStatistics) {
   const Evaluation& e = result->front();
   EXPECT_EQ(e.target, "ball");
   EXPECT_EQ(e.comparedFrameCount, 7);
-  EXPECT_EQ(e.framesToConverge, 2);
+  EXPECT_EQ(e.convergenceFrameCount, 2);
   EXPECT_EQ(e.lostFrameCount, 0);
   EXPECT_EQ(e.missingFrameCount, 0);
   // (0 + 1 + 1 + 4 + 4) cm² / 5 = 2 cm²
   EXPECT_NEAR(e.rmse, std::sqrt(2e-4), 1e-12);
   // + (30² + 10²) cm² : 1010 cm² / 7
   EXPECT_NEAR(e.rmseOfAllFrames, std::sqrt(0.101 / 7.0), 1e-12);
-  EXPECT_NEAR(e.median, 0.01, 1e-12);
+  EXPECT_NEAR(e.medianError, 0.01, 1e-12);
   EXPECT_NEAR(e.p95, 0.02, 1e-12); // place 3.8 of 0..4 lies between 20 and 20 mm
-  EXPECT_NEAR(e.max, 0.02, 1e-12);
+  EXPECT_NEAR(e.maxError, 0.02, 1e-12);
   EXPECT_NEAR(e.bias.x(), 0.012, 1e-12); // 60 mm / 5
   EXPECT_NEAR(e.bias.y(), 0.0, 1e-12);
 }
@@ -71,7 +71,7 @@ TEST(Evaluation, SplitsErrorsAlongAndAcrossTheOpticalAxis) {
   estimate.header.cameras = {{"down", {1, 2, 9}, {0, 0, -1}}, {"side", {9, 2, 3}, {-2, 0, 0}}};
   const auto result = evaluate(estimate, restingTruth(5));
   ASSERT_TRUE(result);
-  const auto& cameras = result->front().cameras;
+  const auto& cameras = result->front().cameraBiases;
   ASSERT_EQ(cameras.size(), 2u);
   const double zRms = std::sqrt(4 * 16e-6 / 5); // four of five are 4 mm
   EXPECT_NEAR(cameras[0].alongAxisBias, 0.0, 1e-12);
@@ -86,12 +86,12 @@ TEST(Evaluation, SplitsErrorsAlongAndAcrossTheOpticalAxis) {
 
 TEST(Evaluation, CountsLostAndMissingFramesAfterConvergence) {
   Trajectory estimate = estimateWith({0, 0, 0, 0, 0, 0.5, 0, 0, 0, 0});
-  estimate.samples[6].valid = false;
+  estimate.samples[6].isValid = false;
   estimate.samples[7].position.x() = std::numeric_limits<double>::quiet_NaN();
   estimate.samples.erase(estimate.samples.begin() + 8);
   const auto result = evaluate(estimate, restingTruth(12)); // frames 10, 11 were not run
   ASSERT_TRUE(result);
-  EXPECT_EQ(result->front().framesToConverge, 0);
+  EXPECT_EQ(result->front().convergenceFrameCount, 0);
   EXPECT_EQ(result->front().lostFrameCount, 4); // 5 far, 6 not valid, 7 not a number, 8 absent
   EXPECT_EQ(result->front().missingFrameCount, 2);
   EXPECT_EQ(result->front().comparedFrameCount, 8);
@@ -100,13 +100,15 @@ TEST(Evaluation, CountsLostAndMissingFramesAfterConvergence) {
 TEST(Evaluation, NeverConvergedUsesAllFrames) {
   const auto result = evaluate(estimateWith({0, 0, 0, 0, 0.1, 0, 0, 0, 0}), restingTruth(9));
   ASSERT_TRUE(result);
-  EXPECT_FALSE(result->front().framesToConverge);
+  EXPECT_FALSE(result->front().convergenceFrameCount);
   EXPECT_EQ(result->front().lostFrameCount, 0);
   EXPECT_NEAR(result->front().rmse, 0.1 / 3.0, 1e-12); // sqrt(0.01 / 9)
   EXPECT_EQ(result->front().rmse, result->front().rmseOfAllFrames);
   // A wider gate takes the outlier in.
-  EXPECT_EQ(
-      evaluate(estimateWith({0, 0, 0, 0, 0.1}), restingTruth(5), 0.2)->front().framesToConverge, 0);
+  EXPECT_EQ(evaluate(estimateWith({0, 0, 0, 0, 0.1}), restingTruth(5), 0.2)
+                ->front()
+                .convergenceFrameCount,
+            0);
 }
 
 TEST(Evaluation, MatchesByTimeWithinHalfAFrame) {
@@ -164,7 +166,7 @@ TEST(Evaluation, CountsTruthInsideTheStatedEllipsoid) {
   estimate.samples.back().covariance.setZero(); // no ellipsoid: outside
   const auto result = evaluate(estimate, restingTruth(5), 0.1);
   ASSERT_TRUE(result);
-  EXPECT_NEAR(result->front().fractionInside95, 3.0 / 5.0, 1e-12);
+  EXPECT_NEAR(result->front().fractionInside95Ellipsoid, 3.0 / 5.0, 1e-12);
 }
 
 TEST(Evaluation, TextIsInMillimetersAndJsonInMeters) {

@@ -36,7 +36,7 @@ inline Trajectory exportExample() {
     trajectory.samples.push_back(exportSample(frame, "ball", {0.1 * t, 0.25, 1.0 + t * t}));
     trajectory.samples.push_back(exportSample(frame, "cap, red", {1.0, 2.0, 3.0}));
   }
-  trajectory.samples[4].valid = false; // the ball at frame 2
+  trajectory.samples[4].isValid = false; // the ball at frame 2
   return trajectory;
 }
 

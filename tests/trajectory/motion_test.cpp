@@ -19,7 +19,7 @@ TrajectorySample sampleAt(std::int64_t frame, const Eigen::Vector3d& place, bool
   sample.time = static_cast<double>(frame) * kPeriod;
   sample.position = place;
   sample.target = target;
-  sample.valid = valid;
+  sample.isValid = valid;
   return sample;
 }
 
@@ -67,7 +67,7 @@ TEST(Motion, freeFallIsExactAwayFromTheEnds) {
 
 TEST(Motion, noSpeedAcrossAGapOrWithoutNeighbors) {
   auto track = straightLine(7, {1.0, 0.0, 0.0});
-  track[3].valid = false;
+  track[3].isValid = false;
   track[4].position = {50.0, 0.0, 0.0}; // beyond the gap: must not leak into what was before it
   EXPECT_NEAR(velocityAt(track, 2)->x(), 1.0, 1e-12);
   EXPECT_FALSE(velocityAt(track, 3));
@@ -103,14 +103,14 @@ TEST(MotionLog, listsGapsWithTheirLength) {
     samples.push_back(sampleAt(frame, Eigen::Vector3d::Zero(), frame != 2 && frame != 3));
     samples.push_back(sampleAt(frame, Eigen::Vector3d::Zero(), true, "other"));
   }
-  samples.back().valid = false; // the other one is lost at the end
+  samples.back().isValid = false; // the other one is lost at the end
   log.replaceFrom(0, samples);
   const auto gaps = log.gaps();
   ASSERT_EQ(gaps.size(), 4U);
   // Not held at frames 2 and 3: from the last held one (1) to the next (4).
   EXPECT_EQ(gaps[0], (TrajectoryGap{"ball", 2, 3, 1 * kPeriod, 4 * kPeriod}));
   EXPECT_EQ(gaps[0].frameCount(), 2);
-  EXPECT_NEAR(gaps[0].seconds(), 3.0 * kPeriod, 1e-12);
+  EXPECT_NEAR(gaps[0].durationSeconds(), 3.0 * kPeriod, 1e-12);
   // Frames 5 to 7 are missing for both.
   EXPECT_EQ(gaps[1], (TrajectoryGap{"ball", 5, 7, 4 * kPeriod, 8 * kPeriod}));
   EXPECT_EQ(gaps[2], (TrajectoryGap{"other", 5, 7, 4 * kPeriod, 8 * kPeriod}));
@@ -123,7 +123,7 @@ TEST(MotionLog, aFrameThatComesAgainTakesThePlaceOfTheOld) {
   log.replaceFrom(0, track);
   // The same once more changes nothing.
   EXPECT_EQ(log.replaceFrom(5, {track[5]}).firstChangedRow, 6U);
-  track[5].valid = false;
+  track[5].isValid = false;
   const auto change = log.replaceFrom(5, {track[5], sampleAt(6, {0.2, 0.0, 0.0})});
   EXPECT_LE(change.firstChangedRow, 5U);
   ASSERT_EQ(log.rows().size(), 7U);
@@ -162,7 +162,7 @@ TEST(Motion, aTableIsReadAnywhere) {
   MotionLog::Row unknown = row;
   unknown.sample.target = "ball";
   unknown.speed = std::numeric_limits<double>::quiet_NaN();
-  unknown.sample.valid = false;
+  unknown.sample.isValid = false;
   EXPECT_EQ(motionCsv(std::array{row, unknown}),
             "time_s,frame,target,x_m,y_m,z_m,sigma_x_m,sigma_y_m,sigma_z_m,speed_m_s,cameras,"
             "existence,valid\n"
@@ -171,9 +171,9 @@ TEST(Motion, aTableIsReadAnywhere) {
 }
 
 TEST(Motion, aLineEndsWhereMoreFramesAreMissingThanCamerasSkip) {
-  EXPECT_FALSE(isInterrupted(10, 11));
-  EXPECT_FALSE(isInterrupted(10, 18));
-  EXPECT_TRUE(isInterrupted(10, 19));
+  EXPECT_FALSE(isTrackInterrupted(10, 11));
+  EXPECT_FALSE(isTrackInterrupted(10, 18));
+  EXPECT_TRUE(isTrackInterrupted(10, 19));
 }
 
 } // namespace

@@ -175,7 +175,7 @@ TEST(FitPathModel, FindsStrengthAndNoise) {
     point.measurement->covariance *= 4.0; // stated twice as large as they are
   }
   const PathModel model = fitPathModel(std::vector<std::vector<PathPoint>>{drawn.path});
-  EXPECT_EQ(model.order, 2);
+  EXPECT_EQ(model.derivativeOrder, 2);
   EXPECT_NEAR(std::log(model.spectralDensity / 0.5), 0.0, 0.3);
   EXPECT_NEAR(model.noiseFactor, 0.25, 0.03);
 }
@@ -219,7 +219,7 @@ TEST(Smoothed, FillsShortGapsAndLeavesLongOnes) {
   Trajectory live = liveRun(drawn);
   const auto hide = [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      live.samples[k].valid = false;
+      live.samples[k].isValid = false;
       live.samples[k].measurement.reset();
     }
   };
@@ -227,11 +227,11 @@ TEST(Smoothed, FillsShortGapsAndLeavesLongOnes) {
   hide(60, 100); // longer than a second
   const Trajectory after = smoothedTrajectory(live);
   for (std::size_t k = 20; k < 30; ++k) {
-    EXPECT_TRUE(after.samples[k].valid);
+    EXPECT_TRUE(after.samples[k].isValid);
     EXPECT_LT((after.samples[k].position - drawn.truth[k]).norm(), 0.05);
   }
   for (std::size_t k = 60; k < 100; ++k) {
-    EXPECT_FALSE(after.samples[k].valid);
+    EXPECT_FALSE(after.samples[k].isValid);
     EXPECT_EQ(after.samples[k].position, live.samples[k].position);
   }
 }
@@ -274,7 +274,7 @@ TEST(Smoothed, DropsAMistakeBehindAGap) {
   const Drawn drawn = draw(13, 150, 0.1, 0.002);
   Trajectory live = liveRun(drawn);
   for (std::size_t k = 60; k < 80; ++k) { // two thirds of a second: nearly any place is possible
-    live.samples[k].valid = false;
+    live.samples[k].isValid = false;
     live.samples[k].measurement.reset();
   }
   Trajectory without = live;

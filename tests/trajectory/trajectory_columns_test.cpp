@@ -26,8 +26,8 @@ TEST(TrajectoryColumns, HasARowForEachFrame) {
   Trajectory trajectory;
   trajectory.samples = {fullSample(2, "a", 1.0), fullSample(3, "a", 2.0), fullSample(3, "b", 5.0),
                         fullSample(5, "b", 6.0)};
-  trajectory.samples[1].valid = false;
-  trajectory.samples[3].ambiguous = true;
+  trajectory.samples[1].isValid = false;
+  trajectory.samples[3].isAmbiguous = true;
   trajectory.samples[3].bestParticle = Eigen::Vector3d(7.0, 8.0, 9.0);
   const TrajectoryColumns columns = columnsOf(trajectory);
   EXPECT_EQ(columns.frames, (std::vector<std::int64_t>{2, 3, 5}));
@@ -42,8 +42,8 @@ TEST(TrajectoryColumns, HasARowForEachFrame) {
   EXPECT_TRUE(std::isnan(b.positions[0])); // frame 2
   EXPECT_EQ((std::vector<double>(b.covariances.begin() + 9, b.covariances.begin() + 18)),
             (std::vector<double>{1.0, 0.25, 0.0, 0.25, 2.0, 0.0, 0.0, 0.0, 3.0}));
-  EXPECT_EQ(a.valid, (std::vector<std::uint8_t>{1, 0, 0}));
-  EXPECT_EQ(b.ambiguous, (std::vector<std::uint8_t>{0, 0, 1}));
+  EXPECT_EQ(a.validFlags, (std::vector<std::uint8_t>{1, 0, 0}));
+  EXPECT_EQ(b.ambiguousFlags, (std::vector<std::uint8_t>{0, 0, 1}));
   EXPECT_EQ(b.cameraCounts, (std::vector<std::int32_t>{0, 2, 2}));
   EXPECT_EQ(b.existenceProbabilities[1], 0.75);
   EXPECT_TRUE(std::isnan(b.bestParticles[3]));

@@ -41,7 +41,7 @@ TrajectorySample sample() {
   s.covariance << 1e-6, 2e-7, 3e-7, 2e-7, 4e-6, 5e-7, 3e-7, 5e-7, 6e-6;
   s.effectiveSampleSize = 123.5;
   s.cameraCount = 2;
-  s.valid = false;
+  s.isValid = false;
   return s;
 }
 
@@ -67,7 +67,7 @@ TEST(TrajectoryFile, ReadsBackExactlyWhatWasWritten) {
   EXPECT_EQ(s.covariance, sample().covariance);
   EXPECT_EQ(s.effectiveSampleSize, 123.5);
   EXPECT_EQ(s.cameraCount, 2);
-  EXPECT_FALSE(s.valid);
+  EXPECT_FALSE(s.isValid);
   ASSERT_EQ(read->header.cameras.size(), 1u);
   EXPECT_EQ(read->header.cameras[0].name, "left \"a\"");
   EXPECT_EQ(read->header.cameras[0].center, Eigen::Vector3d(0.1, 0.2, 0.3));
@@ -155,35 +155,35 @@ TEST(TrajectoryFile, HoldsTheParticleOfHighestWeight) {
 TEST(TrajectoryFile, MarksWhatWasCorrected) {
   const auto path = temporary("corrected.csv");
   Trajectory written{{}, {sample(), sample()}};
-  written.header.hasCorrected = true;
-  written.samples[1].corrected = true;
+  written.header.hasCorrectedColumn = true;
+  written.samples[1].isCorrected = true;
   ASSERT_TRUE(writeTrajectory(written, path));
   EXPECT_NE(contents(path).find(",ess,cameras,valid,corrected\n"), std::string::npos);
   const auto read = readTrajectory(path);
   ASSERT_TRUE(read) << errorSentence(read.error());
-  EXPECT_TRUE(read->header.hasCorrected);
+  EXPECT_TRUE(read->header.hasCorrectedColumn);
   ASSERT_EQ(read->samples.size(), 2U);
-  EXPECT_FALSE(read->samples[0].corrected);
-  EXPECT_TRUE(read->samples[1].corrected);
+  EXPECT_FALSE(read->samples[0].isCorrected);
+  EXPECT_TRUE(read->samples[1].isCorrected);
   std::filesystem::remove(path);
-  EXPECT_FALSE(readText("frame,x_m,y_m,z_m\n0,1,2,3\n")->header.hasCorrected);
+  EXPECT_FALSE(readText("frame,x_m,y_m,z_m\n0,1,2,3\n")->header.hasCorrectedColumn);
 }
 
 TEST(TrajectoryFile, MarksWhatIsAmbiguous) {
   const auto path = temporary("ambiguous.csv");
   Trajectory written{{}, {sample(), sample()}};
-  written.header.hasAmbiguous = true;
-  written.samples[1].ambiguous = true;
+  written.header.hasAmbiguousColumn = true;
+  written.samples[1].isAmbiguous = true;
   ASSERT_TRUE(writeTrajectory(written, path));
   EXPECT_NE(contents(path).find(",ess,cameras,valid,ambiguous\n"), std::string::npos);
   const auto read = readTrajectory(path);
   ASSERT_TRUE(read) << errorSentence(read.error());
-  EXPECT_TRUE(read->header.hasAmbiguous);
+  EXPECT_TRUE(read->header.hasAmbiguousColumn);
   ASSERT_EQ(read->samples.size(), 2U);
-  EXPECT_FALSE(read->samples[0].ambiguous);
-  EXPECT_TRUE(read->samples[1].ambiguous);
+  EXPECT_FALSE(read->samples[0].isAmbiguous);
+  EXPECT_TRUE(read->samples[1].isAmbiguous);
   std::filesystem::remove(path);
-  EXPECT_FALSE(readText("frame,x_m,y_m,z_m\n0,1,2,3\n")->header.hasAmbiguous);
+  EXPECT_FALSE(readText("frame,x_m,y_m,z_m\n0,1,2,3\n")->header.hasAmbiguousColumn);
 }
 
 TEST(TrajectoryFile, KeepsTheExtentOfWhatIsNoBall) {
@@ -212,7 +212,7 @@ TEST(TrajectoryFile, ReadsTruthByColumnNames) {
   EXPECT_EQ(truth->samples[0].position, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(truth->samples[0].frame, 7);
   EXPECT_TRUE(std::isnan(truth->samples[0].time));
-  EXPECT_TRUE(truth->samples[0].valid);
+  EXPECT_TRUE(truth->samples[0].isValid);
   EXPECT_EQ(truth->samples[0].target, "");
   const auto timed = readText("time_s,x_m,y_m,z_m\n0.5,1,2,3\n");
   ASSERT_TRUE(timed);

@@ -19,25 +19,25 @@ Trajectory moving() {
 }
 
 TEST(TruthUnit, MillimetersAreRecognized) {
-  const auto unit = likelyTruthUnit(moving(), toMeters(moving(), 1000.0));
+  const auto unit = likelyTruthUnitInMeters(moving(), toMeters(moving(), 1000.0));
   ASSERT_TRUE(unit);
   EXPECT_DOUBLE_EQ(*unit, 0.001);
 }
 
 TEST(TruthUnit, CentimetersAreRecognized) {
-  const auto unit = likelyTruthUnit(moving(), toMeters(moving(), 100.0));
+  const auto unit = likelyTruthUnitInMeters(moving(), toMeters(moving(), 100.0));
   ASSERT_TRUE(unit);
   EXPECT_DOUBLE_EQ(*unit, 0.01);
 }
 
 TEST(TruthUnit, MetersAreLeftAlone) {
-  EXPECT_FALSE(likelyTruthUnit(moving(), moving()));
+  EXPECT_FALSE(likelyTruthUnitInMeters(moving(), moving()));
   Trajectory elsewhere = moving(); // wrong, but not by a unit
   for (TrajectorySample& sample : elsewhere.samples) {
     sample.position += Eigen::Vector3d(5.0, 0.0, 0.0);
   }
-  EXPECT_FALSE(likelyTruthUnit(elsewhere, moving()));
-  EXPECT_FALSE(likelyTruthUnit({}, moving()));
+  EXPECT_FALSE(likelyTruthUnitInMeters(elsewhere, moving()));
+  EXPECT_FALSE(likelyTruthUnitInMeters({}, moving()));
 }
 
 TEST(TruthUnit, ScalesCovariancesWithPositions) {

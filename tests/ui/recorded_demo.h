@@ -18,8 +18,8 @@ inline bool recordDemo(const std::filesystem::path& folder, int frames = 8) {
   scene.frameCount = frames;
   const SceneRenderer renderer(scene);
   for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
-    auto writer = FrameWriter::video((folder / (k == 0 ? "left.mkv" : "right.mkv")).string(),
-                                     scene.framesPerSecond);
+    auto writer = FrameWriter::createVideo((folder / (k == 0 ? "left.mkv" : "right.mkv")).string(),
+                                           scene.framesPerSecond);
     for (std::int64_t frame = 0; writer && frame < scene.frameCount; ++frame) {
       if (!writer->write(renderer.render(static_cast<int>(k), frame))) {
         return false;
@@ -38,7 +38,7 @@ inline bool recordDesk(const std::filesystem::path& folder) {
   NewProject wanted;
   wanted.cameras = {{"left", SourceKind::Video, (folder / "left.mkv").string()},
                     {"right", SourceKind::Video, (folder / "right.mkv").string()}};
-  wanted.calibration = (folder / "calibration.toml").string();
+  wanted.calibrationFile = (folder / "calibration.toml").string();
   if (!recordDemo(folder)) {
     return false;
   }

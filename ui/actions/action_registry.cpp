@@ -73,7 +73,7 @@ ActionRegistry::ActionRegistry(QWidget* window) : QObject(window), window_(windo
 QAction* ActionRegistry::add(const ActionDeclaration& declaration) {
   auto* action = new QAction(this);
   action->setObjectName(nameOf(declaration));
-  action->setCheckable(declaration.checkable);
+  action->setCheckable(declaration.isCheckable);
   action->setShortcut(Preferences().shortcut(nameOf(declaration)).value_or(declaration.shortcut));
   entries_.push_back({declaration, action, declaration.text, declaration.icon});
   byId_[declaration.id.index()] = action;

@@ -31,7 +31,7 @@ struct ActionDeclaration {
   const char* hint;           ///< one sentence for the tooltip
   const char* icon = nullptr; ///< name of an icon in resources/icons; null for no icon
   QKeySequence shortcut = {}; ///< default shortcut; users can change it
-  bool checkable = false;
+  bool isCheckable = false;
 };
 
 /// Registry of all actions in the window, from which menus, the toolbar, shortcuts, tooltips and

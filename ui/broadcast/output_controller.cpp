@@ -47,7 +47,7 @@ OutputController::OutputController(const Workbench& bench)
   connect(&bench_.session, &SessionController::snapshotChanged, this,
           [this](const TrackSnapshotPtr& snapshot) {
             if (broadcaster_ != nullptr && snapshot != nullptr) {
-              broadcaster_->offer(snapshot);
+              broadcaster_->enqueue(snapshot);
             }
           });
   connect(&bench_.session, &SessionController::runStarted, this, &OutputController::updateAction);
@@ -55,7 +55,7 @@ OutputController::OutputController(const Workbench& bench)
     wanted_ = false;
     close();
   });
-  connect(&bench_.document, &Document::replaced, this, [this] {
+  connect(&bench_.document, &Document::projectReplaced, this, [this] {
     wanted_ = false; // another project has outputs that nobody has switched on
     close();
   });
@@ -75,7 +75,7 @@ OutputController::OutputController(const Workbench& bench)
   updateAction();
 }
 
-std::vector<broadcast::OutletReport> OutputController::reports() const {
+std::vector<broadcast::OutletReport> OutputController::outletReports() const {
   return broadcaster_ != nullptr ? broadcaster_->reports() : std::vector<broadcast::OutletReport>();
 }
 
@@ -83,7 +83,7 @@ void OutputController::toggle(bool send) {
   wanted_ = send;
   if (!send) {
     close();
-  } else if (bench_.document.project().output.any()) {
+  } else if (bench_.document.project().output.isAnyOn()) {
     open();
   } else {
     wanted_ = false;
@@ -95,7 +95,7 @@ void OutputController::toggle(bool send) {
 void OutputController::open() {
   const Project& project = bench_.document.project();
   opened_ = project.output;
-  if (!opened_.any()) {
+  if (!opened_.isAnyOn()) {
     return;
   }
   broadcast::BroadcastInputs inputs;
@@ -150,7 +150,7 @@ void OutputController::startSending(std::shared_ptr<broadcast::Broadcaster> broa
   if (wanted_) {
     broadcaster_ = std::move(broadcaster);
     broadcaster_->setPageTexts(pageTexts()); // the language may have changed meanwhile
-    broadcaster_->offer(bench_.session.shownSnapshot());
+    broadcaster_->enqueue(bench_.session.shownSnapshot());
     timer_.start(kOutputUpdate);
     showStatus();
   }
@@ -196,14 +196,14 @@ void OutputController::showStatus() {
   QStringList lines;
   int clients = 0;
   bool troubled = false;
-  for (const broadcast::OutletReport& report : reports()) {
+  for (const broadcast::OutletReport& report : outletReports()) {
     clients += report.clientCount;
     const QString problem = outletProblem(report);
     troubled = troubled || !problem.isEmpty();
     lines += tr("%1: %2 sent, %3 dropped")
                  .arg(outletAddress(report))
-                 .arg(report.sentPieces)
-                 .arg(report.droppedPieces);
+                 .arg(report.sentPieceCount)
+                 .arg(report.droppedPieceCount);
     if (!problem.isEmpty()) {
       lines += QStringLiteral("  ") + problem;
     }

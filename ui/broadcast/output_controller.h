@@ -35,7 +35,7 @@ public:
 
   bool isSending() const { return broadcaster_ != nullptr; }
   /// Returns the current state of each output; empty while sending is off.
-  std::vector<broadcast::OutletReport> reports() const;
+  std::vector<broadcast::OutletReport> outletReports() const;
   /// Replaces the function that opens outputs.
   void setOpener(Opener opener) { opener_ = std::move(opener); }
 

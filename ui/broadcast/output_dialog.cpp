@@ -78,7 +78,7 @@ OutputDialog::OutputDialog(Document& document, QWidget* parent)
   connect(webPort_, &QSpinBox::valueChanged, this, showPage);
   connect(buttons_, &QDialogButtonBox::accepted, this, &OutputDialog::apply);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(&document_, &Document::replaced, this, &QDialog::reject);
+  connect(&document_, &Document::projectReplaced, this, &QDialog::reject);
   onRetranslate(this, [this] { retranslateUi(); });
   setSettings(document_.project().output);
   showPage();
@@ -101,7 +101,7 @@ void OutputDialog::arrange() {
   problem_->hide();
   page_->setOpenExternalLinks(true);
   page_->setFocusPolicy(Qt::NoFocus);
-  rate_->setRange(0, static_cast<int>(OutputSettings::kMaxRate));
+  rate_->setRange(0, static_cast<int>(OutputSettings::kMaxFramesPerSecond));
   token_->setMaxLength(static_cast<int>(OutputSettings::kMaxTokenBytes));
   auto* web = new QHBoxLayout;
   web->addWidget(webPort_);
@@ -130,33 +130,33 @@ void OutputDialog::arrange() {
 }
 
 void OutputDialog::setSettings(const OutputSettings& settings) {
-  showPort(*tcp_, *tcpPort_, settings.tcp);
-  showPort(*web_, *webPort_, settings.websocket);
-  osc_->setText(QString::fromStdString(settings.osc));
-  tuio_->setText(QString::fromStdString(settings.tuio));
-  csv_->setText(QString::fromStdString(settings.csv));
-  const QString listen = QString::fromStdString(settings.listen);
+  showPort(*tcp_, *tcpPort_, settings.tcpPort);
+  showPort(*web_, *webPort_, settings.webSocketPort);
+  osc_->setText(QString::fromStdString(settings.oscReceiver));
+  tuio_->setText(QString::fromStdString(settings.tuioReceiver));
+  csv_->setText(QString::fromStdString(settings.csvFile));
+  const QString listen = QString::fromStdString(settings.listenAddress);
   if (listen_->findData(listen) < 0) {
     listen_->addItem(listen, listen); // an address of the project file
   }
   listen_->setCurrentIndex(listen_->findData(listen));
   axes_->setCurrentIndex(static_cast<int>(settings.axes));
   unit_->setCurrentIndex(static_cast<int>(settings.unit));
-  rate_->setValue(static_cast<int>(settings.rate));
+  rate_->setValue(static_cast<int>(settings.framesPerSecond));
   token_->setText(QString::fromStdString(settings.token));
 }
 
 OutputSettings OutputDialog::settings() const {
   OutputSettings settings = document_.project().output;
-  settings.tcp = portOf(*tcp_, *tcpPort_);
-  settings.websocket = portOf(*web_, *webPort_);
-  settings.osc = osc_->text().trimmed().toStdString();
-  settings.tuio = tuio_->text().trimmed().toStdString();
-  settings.csv = csv_->text().trimmed().toStdString();
-  settings.listen = listen_->currentData().toString().toStdString();
+  settings.tcpPort = portOf(*tcp_, *tcpPort_);
+  settings.webSocketPort = portOf(*web_, *webPort_);
+  settings.oscReceiver = osc_->text().trimmed().toStdString();
+  settings.tuioReceiver = tuio_->text().trimmed().toStdString();
+  settings.csvFile = csv_->text().trimmed().toStdString();
+  settings.listenAddress = listen_->currentData().toString().toStdString();
   settings.axes = static_cast<OutputAxes>(axes_->currentIndex());
   settings.unit = static_cast<OutputUnit>(unit_->currentIndex());
-  settings.rate = rate_->value();
+  settings.framesPerSecond = rate_->value();
   settings.token = token_->text().toStdString();
   return settings;
 }

@@ -24,7 +24,7 @@ QString secondsPattern() {
 
 broadcast::PageTexts pageTexts() {
   broadcast::PageTexts texts;
-  texts.language = languageTag().toStdString();
+  texts.language = currentLanguageTag().toStdString();
   texts.title = PageText::tr("Dewpoint live").toStdString();
   texts.viewDescription = PageText::tr("Cameras, targets and their tracks in 3D").toStdString();
   texts.help =

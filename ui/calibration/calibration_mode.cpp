@@ -26,9 +26,9 @@ CalibrationMode::CalibrationMode(const Workbench& bench)
   dock_ = bench_.docks.makeDock({.name = QStringLiteral("calibrationDock"),
                                  .title = [] { return tr("Calibration"); }, // a tab: short
                                  .content = pages_,
-                                 .rank = 5,
-                                 .hiddenAtFirst = true,
-                                 .openedByAction = true});
+                                 .orderInArea = 5,
+                                 .isHiddenAtFirst = true,
+                                 .isOpenedByAction = true});
   dock_->setMinimumWidth(400); // room for the names of all tabs, and three numbers
   QAction* mode = bench_.action("actionCalibrateByHand");
   connect(mode, &QAction::triggered, this, [this, mode](bool checked) {
@@ -94,7 +94,7 @@ void CalibrationMode::show(bool isShown) {
       dock_->isHidden() || !dock_->isBehindOtherDocks(); // hidden: by its own button
   const bool opens = isShown && dock_->isHidden();
   const auto front = opens ? docksInFront() : std::vector<ViewDock*>();
-  dock_->setShownByUser(isShown);
+  dock_->setShownByUserChoice(isShown);
   if (opens) { // only now: Qt does not tell what shares its place with a hidden dock
     const auto together = bench_.window.tabifiedDockWidgets(dock_);
     const auto before =

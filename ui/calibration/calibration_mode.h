@@ -22,7 +22,7 @@ class CalibrationMode : public QObject {
 public:
   explicit CalibrationMode(const Workbench& bench);
 
-  ManualCalibration& manual() const { return *manual_; }
+  ManualCalibration& manualCalibration() const { return *manual_; }
   /// Adds a page to the calibration panel. The objectName of the page identifies it. `title`
   /// returns the page's title, and is called again when the language changes.
   void addPage(QWidget* page, const std::function<QString()>& title);

@@ -32,11 +32,12 @@ ManualCalibration::ManualCalibration(Document& document, Selection& selection,
                                      CameraListModel& cameras, QObject* parent)
     : QObject(parent), document_(document), selection_(selection), cameras_(cameras) {
   connect(&document_, &Document::changed, this, [this](const ProjectChanges& changes) {
-    if (changes.calibration || changes.sources || changes.grid || changes.points) {
+    if (changes.calibrationChanged || changes.sourcesChanged || changes.gridChanged ||
+        changes.pointsChanged) {
       Q_EMIT this->changed();
     }
   });
-  connect(&document_, &Document::replaced, this, [this] {
+  connect(&document_, &Document::projectReplaced, this, [this] {
     drag_.reset();
     pins_.clear();
     resetEarlier();
@@ -88,7 +89,7 @@ int ManualCalibration::cameraCount() const {
   return static_cast<int>(document_.project().cameras.size());
 }
 
-Camera ManualCalibration::projectCamera(int camera) const {
+Camera ManualCalibration::cameraInProject(int camera) const {
   const auto& all = document_.project().cameras;
   const auto index = static_cast<std::size_t>(camera);
   return index < all.size() ? all[index].camera : Camera();
@@ -99,7 +100,7 @@ Camera ManualCalibration::shownCamera(int camera) const {
   if (earlier_ && index < camerasOf(*earlier_).size()) {
     return camerasOf(*earlier_)[index];
   }
-  return projectCamera(camera);
+  return cameraInProject(camera);
 }
 
 QString ManualCalibration::nameOf(int camera) const {
@@ -193,7 +194,7 @@ const std::vector<Eigen::Vector3d>& ManualCalibration::pins(int camera) const {
 }
 
 void ManualCalibration::togglePin(int camera, const Eigen::Vector2d& pixel, double reach) {
-  const Camera seen = projectCamera(camera);
+  const Camera seen = cameraInProject(camera);
   const Projector projector(seen);
   pins_.resize(std::max(pins_.size(), static_cast<std::size_t>(camera) + 1));
   auto& pins = pins_[static_cast<std::size_t>(camera)];
@@ -213,7 +214,7 @@ void ManualCalibration::togglePin(int camera, const Eigen::Vector2d& pixel, doub
 }
 
 bool ManualCalibration::hasGridCrossingNear(int camera, const Eigen::Vector2d& pixel, double reach) const {
-  return geometry::gridCrossingAt(projectCamera(camera), grid(), pixel, reach).has_value();
+  return geometry::gridCrossingAt(cameraInProject(camera), grid(), pixel, reach).has_value();
 }
 
 bool ManualCalibration::hasPins() const {
@@ -229,7 +230,7 @@ void ManualCalibration::clearPins() {
 
 void ManualCalibration::beginDrag(int camera, const Eigen::Vector2d& pixel, double reach) {
   selectCamera(camera);
-  const Camera start = projectCamera(camera);
+  const Camera start = cameraInProject(camera);
   const Projector projector(start);
   const auto point = gridPointAt(start, grid(), pixel, reach);
   const auto seen = point ? projector.project(*point) : std::nullopt;
@@ -342,7 +343,7 @@ void ManualCalibration::nudge(int axis, double factor, bool repeated) {
   const QString sumText = moves ? lengthText(sum, LengthScale::Centimeters, 1, NumberForm::Signed)
                                 : angleText(sum, 2, NumberForm::Signed);
   const QString step = tr("%1 %2 %3").arg(nameOf(camera()), sumText, name);
-  const Camera now = projectCamera(camera());
+  const Camera now = cameraInProject(camera());
   changeCamera(camera(), step,
                moves ? moved(now, amount * way, frame_) : rotated(now, amount * way, frame_), key);
 }
@@ -353,7 +354,7 @@ void ManualCalibration::nudgeFocalLength(double percent, bool repeated) {
   changeCamera(camera(),
                tr("%1: change focal length by %2 %")
                    .arg(nameOf(camera()), numberText(sum, 1, NumberForm::Signed)),
-               zoomed(projectCamera(camera()), 1.0 + percent / 100.0), key);
+               zoomed(cameraInProject(camera()), 1.0 + percent / 100.0), key);
 }
 
 void ManualCalibration::changeCamera(int camera, const QString& step, const Camera& changed,

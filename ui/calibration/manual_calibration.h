@@ -53,7 +53,7 @@ public:
   /// Returns a camera as the views show it: the current camera of the project or, while an earlier
   /// state is shown, the earlier camera.
   Camera shownCamera(int camera) const;
-  Camera projectCamera(int camera) const;
+  Camera cameraInProject(int camera) const;
   QString nameOf(int camera) const;
   /// Returns the project's reference grid, or the standard grid if the project has none.
   ReferenceGrid grid() const;

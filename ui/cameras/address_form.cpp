@@ -53,8 +53,8 @@ AddressForm::AddressForm(QWidget* parent)
           [this] { Q_EMIT addRequested(address(), tried_ == address() ? size_ : QSize()); });
   connect(replace_, &QPushButton::clicked, this, [this] { Q_EMIT replaceRequested(address()); });
   connect(&job_, &BackgroundJob::started, this, &AddressForm::refresh);
-  connect(&job_, &BackgroundJob::ended, this, [this](bool cancelled) {
-    if (cancelled) {
+  connect(&job_, &BackgroundJob::ended, this, [this](bool canceled) {
+    if (canceled) {
       result_->clear();
     }
     refresh();
@@ -96,8 +96,8 @@ QString AddressForm::address() const {
   return address_->text().trimmed();
 }
 
-void AddressForm::setObstacle(const QString& obstacle) {
-  obstacle_ = obstacle;
+void AddressForm::setBlockedReason(const QString& reason) {
+  blockedReason_ = reason;
   refresh();
 }
 
@@ -119,13 +119,13 @@ void AddressForm::refresh() {
   try_->setText(busy ? tr("Cancel") : tr("Try"));
   try_->setEnabled(any || busy);
   for (QPushButton* button : {add_, replace_}) {
-    button->setEnabled(any && obstacle_.isEmpty());
+    button->setEnabled(any && blockedReason_.isEmpty());
   }
-  add_->setToolTip(obstacle_.isEmpty() ? tr("Add a camera with this address to the project")
-                                       : obstacle_);
-  replace_->setToolTip(obstacle_.isEmpty()
+  add_->setToolTip(blockedReason_.isEmpty() ? tr("Add a camera with this address to the project")
+                                            : blockedReason_);
+  replace_->setToolTip(blockedReason_.isEmpty()
                            ? tr("Make this address the image source of the selected camera")
-                           : obstacle_);
+                           : blockedReason_);
   if (tried_ != address() && !busy) {
     image_->hide();
     result_->clear();

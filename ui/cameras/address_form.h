@@ -22,7 +22,7 @@ public:
   explicit AddressForm(QWidget* parent = nullptr);
 
   /// Sets the reason why addresses cannot be added to this project; empty if they can.
-  void setObstacle(const QString& obstacle);
+  void setBlockedReason(const QString& reason);
 
 Q_SIGNALS:
   /// Emitted when the user wants to add a camera with this address. `size` is the size of its
@@ -47,7 +47,7 @@ private:
   QPushButton* replace_;
   QLabel* image_;
   QLabel* result_;
-  QString obstacle_;
+  QString blockedReason_;
   QString tried_; ///< address that the result is about
   QSize size_;    ///< of its images
   BackgroundJob job_;

@@ -103,7 +103,7 @@ QString imageFormatText(const QSize& size, double framesPerSecond) {
                                : text;
 }
 
-QString formatSummary(const capture::CameraDevice& device) {
+QString formatSummaryText(const capture::CameraDevice& device) {
   QStringList formats;
   for (const capture::OfferedFormat& format : device.formats) {
     if (format.sizes.empty()) {
@@ -111,26 +111,26 @@ QString formatSummary(const capture::CameraDevice& device) {
       continue;
     }
     const capture::OfferedSize& size = format.sizes.front();
-    formats << (size.rates.empty()
+    formats << (size.frameRates.empty()
                     ? QStringLiteral("%1 %2").arg(QString::fromStdString(format.pixelFormat),
                                                   imageSizeText(size.width, size.height))
                     : CameraDeviceText::tr("%1 %2, %3 images per second")
                           .arg(QString::fromStdString(format.pixelFormat),
                                imageSizeText(size.width, size.height),
-                               rateText(size.rates.front())));
+                               rateText(size.frameRates.front())));
   }
   return formats.join(QStringLiteral("; "));
 }
 
-QString formatDetails(const capture::CameraDevice& device) {
+QString formatDetailsText(const capture::CameraDevice& device) {
   QStringList lines;
   for (const capture::OfferedFormat& format : device.formats) {
     QStringList sizes;
     for (const capture::OfferedSize& size : format.sizes) {
-      sizes << (size.rates.empty()
+      sizes << (size.frameRates.empty()
                     ? imageSizeText(size.width, size.height)
                     : QStringLiteral("%1 (%2)").arg(imageSizeText(size.width, size.height),
-                                                    ratesText(size.rates)));
+                                                    ratesText(size.frameRates)));
     }
     lines << QStringLiteral("%1: %2").arg(QString::fromStdString(format.pixelFormat),
                                           sizes.join(QStringLiteral(", ")));
@@ -188,16 +188,18 @@ QString bandwidthShortageText(const capture::BandwidthShortage& shortage,
                               const QStringList& names) {
   return CameraDeviceText::tr("USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, but "
                               "the bus has only %4 Mbit/s.")
-      .arg(shortage.bus)
-      .arg(cameraList(shortage.requests, names), megabits(shortage.neededBitsPerSecond),
+      .arg(shortage.busNumber)
+      .arg(cameraList(shortage.requestIndices, names), megabits(shortage.neededBitsPerSecond),
            megabits(shortage.availableBitsPerSecond));
 }
 
-QString proposalText(const capture::BandwidthShortage& shortage, const QStringList& names) {
+QString bandwidthProposalText(const capture::BandwidthShortage& shortage,
+                              const QStringList& names) {
   QStringList parts;
   for (const capture::BandwidthProposal& proposal : shortage.proposals) {
-    parts << QStringLiteral("%1: %2").arg(names.value(static_cast<qsizetype>(proposal.request)),
-                                          QString::fromStdString(describe(proposal.format)));
+    parts << QStringLiteral("%1: %2").arg(
+        names.value(static_cast<qsizetype>(proposal.requestIndex)),
+        QString::fromStdString(describe(proposal.format)));
   }
   return parts.join(QStringLiteral(", "));
 }

@@ -18,9 +18,9 @@ QString deviceName(const capture::CameraDevice& device);
 QString devicePortText(const capture::CameraDevice& device);
 /// Returns the largest image size and the highest frame rate of each format that a device offers,
 /// in one line.
-QString formatSummary(const capture::CameraDevice& device);
+QString formatSummaryText(const capture::CameraDevice& device);
 /// Returns all image sizes and frame rates that a device offers, one line for each format.
-QString formatDetails(const capture::CameraDevice& device);
+QString formatDetailsText(const capture::CameraDevice& device);
 /// Returns the size and the frame rate of images, for example "640 × 480, 30 per second". Leaves
 /// out the rate if it is 0.
 QString imageFormatText(const QSize& size, double framesPerSecond);
@@ -40,6 +40,6 @@ QString colorAutomaticsText(const std::vector<capture::ColorAutomatic>& automati
 QString bandwidthShortageText(const capture::BandwidthShortage& shortage, const QStringList& names);
 /// Returns the formats that `shortage` proposes so that the bandwidth suffices, for example "left:
 /// MJPG 1280x720 30". `names` are the names of the project's cameras.
-QString proposalText(const capture::BandwidthShortage& shortage, const QStringList& names);
+QString bandwidthProposalText(const capture::BandwidthShortage& shortage, const QStringList& names);
 
 } // namespace dewpoint::ui

@@ -31,7 +31,7 @@ Result<std::vector<CameraSource>> examinedSources(const QStringList& locations) 
 
 CameraEdits::CameraEdits(Document& document, QObject* parent)
     : QObject(parent), document_(document) {
-  connect(&document_, &Document::replaced, this, [this] { ++projects_; });
+  connect(&document_, &Document::projectReplaced, this, [this] { ++projects_; });
 }
 
 void CameraEdits::setPending(int pending) {

@@ -53,7 +53,7 @@ CamerasDialog::CamerasDialog(const Workbench& bench, const CameraParts& parts)
     project_->showImages();
     sources_->showImages();
   });
-  connect(&bench_.document, &Document::replaced, this, [this] {
+  connect(&bench_.document, &Document::projectReplaced, this, [this] {
     setMessage({});
     updateBandwidth();
   });
@@ -64,7 +64,7 @@ CamerasDialog::CamerasDialog(const Workbench& bench, const CameraParts& parts)
   connect(&parts_.watch, &DeviceWatch::changed, this, &CamerasDialog::updateBandwidth);
   connect(&parts_.edits, &CameraEdits::failed, this, &CamerasDialog::setMessage);
   connect(&parts_.controls, &ControlSync::failed, this, &CamerasDialog::setMessage);
-  connect(&parts_.locker, &ColorLocker::done, this, &CamerasDialog::setMessage);
+  connect(&parts_.locker, &ColorLocker::completed, this, &CamerasDialog::setMessage);
   connect(&parts_.locker, &ColorLocker::failed, this, &CamerasDialog::setMessage);
   connect(fit_, &QPushButton::clicked, this, &CamerasDialog::useProposals);
   onRetranslate(this, [this] { retranslateUi(); });
@@ -124,7 +124,7 @@ void CamerasDialog::updateBandwidth() {
   for (const capture::BandwidthShortage& shortage : shortages_) {
     sentences << QStringLiteral("▲ ") + bandwidthShortageText(shortage, names);
     if (!shortage.proposals.empty()) {
-      proposals << proposalText(shortage, names);
+      proposals << bandwidthProposalText(shortage, names);
     }
   }
   if (!proposals.isEmpty()) {
@@ -140,7 +140,7 @@ void CamerasDialog::useProposals() {
   std::map<int, capture::DeviceFormat> formats;
   for (const capture::BandwidthShortage& shortage : shortages_) {
     for (const capture::BandwidthProposal& proposal : shortage.proposals) {
-      formats[static_cast<int>(proposal.request)] = proposal.format;
+      formats[static_cast<int>(proposal.requestIndex)] = proposal.format;
     }
   }
   parts_.edits.setFormats(formats);

@@ -46,7 +46,7 @@ void installCameraSources(const Workbench& bench) {
     Workbench::presentDialog(dialog);
   });
   bench.requireRun({"actionCameras"});
-  bench.onTriggered("actionLockColors", locker, [locker] { locker->lock(-1); });
+  bench.onTriggered("actionLockColors", locker, [locker] { locker->lockColors(-1); });
   bench.requireRun({"actionLockColors"}, [document = &bench.document] {
     return std::ranges::any_of(document->project().cameras, [](const ProjectCamera& camera) {
       return camera.source == SourceKind::Device;
@@ -57,7 +57,7 @@ void installCameraSources(const Workbench& bench) {
   QObject::connect(edits, &CameraEdits::failed, locker, problem);
   QObject::connect(controls, &ControlSync::failed, locker, problem);
   QObject::connect(locker, &ColorLocker::failed, locker, problem);
-  QObject::connect(locker, &ColorLocker::done, locker,
+  QObject::connect(locker, &ColorLocker::completed, locker,
                    [bench](const QString& text) { sayInWindow(bench, text, false); });
 }
 

@@ -45,8 +45,8 @@ struct LockOutcome {
 QString complaintAbout(const LockOutcome& outcome) {
   std::vector<capture::ColorAutomatic> refused;
   for (const auto& refusal : outcome.lock->refusals) {
-    if (std::ranges::find(refused, refusal.automatic) == refused.end()) {
-      refused.push_back(refusal.automatic);
+    if (std::ranges::find(refused, refusal.adjustment) == refused.end()) {
+      refused.push_back(refusal.adjustment);
     }
   }
   QString text;
@@ -70,7 +70,7 @@ ColorLocker::ColorLocker(const Workbench& bench, DeviceWatch& watch, CameraEdits
       job_(new BackgroundJob(this)), question_(new BackgroundJob(this)) {
   connect(job_, &BackgroundJob::started, this, &ColorLocker::busyChanged);
   connect(job_, &BackgroundJob::ended, this, &ColorLocker::busyChanged);
-  connect(&bench_.document, &Document::replaced, this, [this] {
+  connect(&bench_.document, &Document::projectReplaced, this, [this] {
     samples_ = sampleCount(bench_.document.project());
     offered_ = false;
   });
@@ -83,11 +83,11 @@ ColorLocker::ColorLocker(const Workbench& bench, DeviceWatch& watch, CameraEdits
   });
 }
 
-std::vector<ColorLocker::Locked> ColorLocker::devices(int camera) const {
-  std::vector<Locked> found;
+std::vector<ColorLocker::ProjectDevice> ColorLocker::devices(int camera) const {
+  std::vector<ProjectDevice> found;
   const auto matches = matchProjectDevices(bench_.document.project(), watch_.devices());
   for (int k = 0; k < static_cast<int>(matches.size()); ++k) {
-    const auto& device = matches[static_cast<std::size_t>(k)].device;
+    const auto& device = matches[static_cast<std::size_t>(k)].deviceIndex;
     if (device && (camera < 0 || camera == k)) {
       found.push_back({k, bench_.cameras.nameOf(k), watch_.devices()[*device].path});
     }
@@ -95,21 +95,21 @@ std::vector<ColorLocker::Locked> ColorLocker::devices(int camera) const {
   return found;
 }
 
-void ColorLocker::lock(int camera) {
+void ColorLocker::lockColors(int camera) {
   const auto chosen = devices(camera);
   if (chosen.empty()) {
     Q_EMIT failed(tr("Only cameras that are connected to this computer can be locked. For network "
                      "cameras, use their own settings."));
     return;
   }
-  job_->start([this, chosen, access = watch_.access(),
+  job_->start([this, chosen, access = watch_.deviceAccess(),
                project = bench_.document.sharedProject()](const BackgroundJob::Progress&) {
     auto outcomes = std::make_shared<std::vector<LockOutcome>>();
-    for (const Locked& one : chosen) {
-      auto before = access->controls(one.path);
-      outcomes->push_back({one.camera, one.name, one.path,
+    for (const ProjectDevice& one : chosen) {
+      auto before = access->readControls(one.devicePath);
+      outcomes->push_back({one.camera, one.cameraName, one.devicePath,
                            before ? std::move(*before) : std::vector<capture::DeviceControl>(),
-                           capture::lockColors(*access, one.path)});
+                           capture::lockColors(*access, one.devicePath)});
     }
     return [this, outcomes, project] {
       if (bench_.document.project().cameras.size() != project->cameras.size()) {
@@ -136,7 +136,7 @@ void ColorLocker::lock(int camera) {
       } else {
         complaints.prepend(tr("The color settings of these cameras are now locked: %1.")
                                .arg(names.join(QStringLiteral(", "))));
-        Q_EMIT done(complaints.join(QLatin1Char(' ')));
+        Q_EMIT completed(complaints.join(QLatin1Char(' ')));
       }
     };
   });
@@ -147,12 +147,13 @@ void ColorLocker::considerOffer() {
   if (offered_ || cameras.empty()) {
     return;
   }
-  question_->start([this, cameras, access = watch_.access()](const BackgroundJob::Progress&) {
+  question_->start([this, cameras, access = watch_.deviceAccess()](const BackgroundJob::Progress&) {
     QStringList automatic;
-    for (const Locked& one : cameras) {
-      const auto controls = access->controls(one.path);
+    for (const ProjectDevice& one : cameras) {
+      const auto controls = access->readControls(one.devicePath);
       if (controls && !automaticsOn(*controls).empty()) {
-        automatic << tr("%1 (%2)").arg(one.name, colorAutomaticsText(automaticsOn(*controls)));
+        automatic << tr("%1 (%2)").arg(one.cameraName,
+                                       colorAutomaticsText(automaticsOn(*controls)));
       }
     }
     return [this, automatic] {
@@ -169,7 +170,7 @@ void ColorLocker::offer(const QString& cameras) {
       tr("These cameras adjust their colors automatically: %1. The learned color may no longer "
          "fit when the light changes.")
           .arg(cameras),
-      {{tr("Lock colors"), [this] { lock(-1); }}});
+      {{tr("Lock colors"), [this] { lockColors(-1); }}});
 }
 
 } // namespace dewpoint::ui

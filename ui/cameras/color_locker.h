@@ -27,7 +27,7 @@ public:
 
   /// Locks the colors of one camera, or of all cameras if `camera` is -1. Does nothing while
   /// isBusy() is true.
-  void lock(int camera);
+  void lockColors(int camera);
   bool isBusy() const { return job_->isRunning(); }
 
 Q_SIGNALS:
@@ -36,18 +36,18 @@ Q_SIGNALS:
   /// values of its controls, which an undo restores.
   void lockingStarted(const std::string& path, const std::vector<capture::DeviceControl>& before);
   /// Emitted with a sentence that tells which colors were locked and which were not.
-  void done(const QString& sentence);
+  void completed(const QString& sentence);
   void failed(const QString& sentence);
 
 private:
   /// Device of a camera of the project.
-  struct Locked {
+  struct ProjectDevice {
     int camera = 0;
-    QString name;
-    std::string path;
+    QString cameraName;
+    std::string devicePath;
   };
   /// Returns the connected devices of one camera, or of all cameras if `camera` is -1.
-  std::vector<Locked> devices(int camera) const;
+  std::vector<ProjectDevice> devices(int camera) const;
   void considerOffer();
   void offer(const QString& cameras);
 

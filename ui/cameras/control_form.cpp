@@ -32,7 +32,7 @@ QString fieldName(const capture::DeviceControl& control) {
 
 bool areAlike(const capture::DeviceControl& one, const capture::DeviceControl& other) {
   return one.name == other.name && one.kind == other.kind && one.minimum == other.minimum &&
-         one.maximum == other.maximum && one.step == other.step && one.menu == other.menu;
+         one.maximum == other.maximum && one.step == other.step && one.menuItems == other.menuItems;
 }
 
 } // namespace
@@ -81,7 +81,7 @@ QWidget* ControlForm::makeField(const capture::DeviceControl& control) {
   }
   case capture::ControlKind::Menu: {
     auto* box = new QComboBox(this);
-    for (const capture::ControlMenuItem& item : control.menu) {
+    for (const capture::ControlMenuItem& item : control.menuItems) {
       box->addItem(menuItemText(control, item), QVariant::fromValue<qint64>(item.value));
     }
     connect(box, &QComboBox::activated, this, [this, box, name = control.name] {
@@ -134,7 +134,7 @@ QWidget* ControlForm::makeSlider(const capture::DeviceControl& control) {
 void ControlForm::showValues() {
   for (const capture::DeviceControl& control : controls_) {
     auto* field = findChild<QWidget*>(fieldName(control));
-    field->setEnabled(!control.readOnly && !control.inactive);
+    field->setEnabled(!control.isReadOnly && !control.isInactive);
     if (auto* box = qobject_cast<QCheckBox*>(field)) {
       box->setChecked(control.value != 0);
     } else if (auto* menu = qobject_cast<QComboBox*>(field)) {

@@ -14,16 +14,16 @@ namespace dewpoint::ui {
 
 ControlSync::ControlSync(Document& document, DeviceWatch& watch, QObject* parent)
     : QObject(parent), document_(document), watch_(watch) {
-  connect(&document_, &Document::replaced, this, [this] { applied_ = wanted(); });
+  connect(&document_, &Document::projectReplaced, this, [this] { applied_ = wanted(); });
   connect(&watch_, &DeviceWatch::changed, this, [this] {
     for (const auto& [path, values] : wanted()) {
       applied_.try_emplace(path, values); // set by its connection
     }
   });
   connect(&document_, &Document::changed, this, [this](const ProjectChanges& changes) {
-    if (changes.sources) {
+    if (changes.sourcesChanged) {
       applied_ = wanted(); // the cameras are opened again
-    } else if (changes.controls) {
+    } else if (changes.controlsChanged) {
       apply();
     }
   });
@@ -45,8 +45,8 @@ ControlSync::ValuesByPath ControlSync::wanted() const {
   const Project& project = document_.project();
   const auto matches = matchProjectDevices(project, watch_.devices());
   for (std::size_t k = 0; k < matches.size(); ++k) {
-    if (matches[k].device) {
-      values[watch_.devices()[*matches[k].device].path] = project.cameras[k].device.controls;
+    if (matches[k].deviceIndex) {
+      values[watch_.devices()[*matches[k].deviceIndex].path] = project.cameras[k].device.controls;
     }
   }
   return values;
@@ -75,7 +75,7 @@ void ControlSync::apply() {
   if (changed.empty()) {
     return;
   }
-  job_.start([this, access = watch_.access(), all, changed](const BackgroundJob::Progress&) {
+  job_.start([this, access = watch_.deviceAccess(), all, changed](const BackgroundJob::Progress&) {
     std::vector<Error> errors;
     for (const auto& [path, values] : changed) {
       for (Error& error : capture::applyControls(*access, path, values)) {
@@ -86,7 +86,7 @@ void ControlSync::apply() {
       for (const auto& [path, values] : all) {
         applied_[path] = values;
       }
-      Q_EMIT controlsSet();
+      Q_EMIT controlsWritten();
       if (!errors.empty()) {
         Q_EMIT failed(errorText(errors.front()));
       }

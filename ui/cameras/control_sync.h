@@ -32,7 +32,7 @@ public:
 Q_SIGNALS:
   /// Emitted when controls were set. Other controls of the device may have changed as a
   /// consequence.
-  void controlsSet();
+  void controlsWritten();
   /// Emitted with a sentence about a control that could not be set.
   void failed(const QString& sentence);
 

@@ -35,7 +35,7 @@ bool hasDevices(const Project& project) {
 
 DeviceQuestion::DeviceQuestion(const Workbench& bench, DeviceWatch& watch, CameraEdits& edits)
     : QObject(&bench.window), bench_(bench), watch_(watch), edits_(edits) {
-  connect(&bench_.document, &Document::replaced, this, [this] {
+  connect(&bench_.document, &Document::projectReplaced, this, [this] {
     asked_.clear();
     missing_.clear();
     isFirst_ = true;
@@ -67,7 +67,7 @@ void DeviceQuestion::update() {
     if (camera.source != SourceKind::Device) {
       continue;
     }
-    if (matches[k].device) {
+    if (matches[k].deviceIndex) {
       if (camera.camera.name == camera_) {
         withdraw();
       }
@@ -86,12 +86,12 @@ void DeviceQuestion::ask(int camera, const capture::DeviceMatch& match) {
   const Project& project = bench_.document.project();
   const ProjectCamera& asked = project.cameras[static_cast<std::size_t>(camera)];
   const capture::CameraDevices& devices = watch_.devices();
-  std::vector<std::size_t> candidates = match.candidates;
+  std::vector<std::size_t> candidates = match.candidateIndices;
   if (candidates.empty()) {
     for (std::size_t k = 0; k < devices.size(); ++k) {
       const auto all = matchProjectDevices(project, devices);
       const bool isUsed =
-          std::ranges::any_of(all, [k](const auto& other) { return other.device == k; });
+          std::ranges::any_of(all, [k](const auto& other) { return other.deviceIndex == k; });
       if (!isUsed && devices[k].problem.empty()) {
         candidates.push_back(k);
       }

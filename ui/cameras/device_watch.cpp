@@ -10,7 +10,7 @@ DeviceWatch::DeviceWatch(capture::DeviceAccessPtr access, QObject* parent)
 
 DeviceWatch::~DeviceWatch() = default;
 
-void DeviceWatch::setAccess(capture::DeviceAccessPtr access) {
+void DeviceWatch::setDeviceAccess(capture::DeviceAccessPtr access) {
   const bool watches = monitor_ != nullptr;
   monitor_.reset();
   access_ = std::move(access);

@@ -20,9 +20,9 @@ public:
   ~DeviceWatch() override;
 
   /// Watches the devices of `access` from now on, instead of the devices of this computer.
-  void setAccess(capture::DeviceAccessPtr access);
+  void setDeviceAccess(capture::DeviceAccessPtr access);
   /// Returns the access to the devices, with which jobs read and set controls in their own threads.
-  const capture::DeviceAccessPtr& access() const { return access_; }
+  const capture::DeviceAccessPtr& deviceAccess() const { return access_; }
   /// Starts to watch the devices. Does nothing if this was done before.
   void start();
   /// Returns whether the devices have been listed for the first time.

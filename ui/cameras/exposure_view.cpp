@@ -96,8 +96,8 @@ void ExposureView::refresh() {
   bars_->setExposure(exposure);
   shares_->setText(worst == nullptr ? QString()
                                     : tr("%1 % overexposed · %2 % too dark")
-                                          .arg(percentText(exposure.clippedShare()),
-                                               percentText(exposure.darkShare())));
+                                          .arg(percentNumber(exposure.clippedShare()),
+                                               percentNumber(exposure.darkShare())));
   QStringList sentences;
   for (std::size_t k = 0; k < measured_.size(); ++k) {
     const ExposureInView* one = worstExposure(measured_[k].exposures);
@@ -113,9 +113,9 @@ QString ExposureView::sentenceFor(int camera, const TargetExposure& exposure) co
   const QString name = cameras_.nameOf(camera);
   return exposure.fault() == ExposureFault::Overexposed
              ? tr("%1: %2 % of the target's pixels are overexposed. Lower the exposure.")
-                   .arg(name, percentText(exposure.clippedShare()))
+                   .arg(name, percentNumber(exposure.clippedShare()))
              : tr("%1: %2 % of the target's pixels are too dark. Raise the exposure, or add light.")
-                   .arg(name, percentText(exposure.darkShare()));
+                   .arg(name, percentNumber(exposure.darkShare()));
 }
 
 } // namespace dewpoint::ui

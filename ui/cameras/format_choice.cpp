@@ -78,9 +78,9 @@ std::vector<capture::OfferedSize> FormatChoice::sizes() const {
         all.push_back(size);
         continue;
       }
-      for (const double rate : size.rates) {
-        if (std::ranges::find(known->rates, rate) == known->rates.end()) {
-          known->rates.push_back(rate);
+      for (const double rate : size.frameRates) {
+        if (std::ranges::find(known->frameRates, rate) == known->frameRates.end()) {
+          known->frameRates.push_back(rate);
         }
       }
     }
@@ -106,7 +106,7 @@ void FormatChoice::fill() {
     sizesOffered.emplace_back(imageSizeText(size.width, size.height),
                               QSize(size.width, size.height));
     const bool isRequested = size.width == requested_.width && size.height == requested_.height;
-    for (const double rate : size.rates) {
+    for (const double rate : size.frameRates) {
       if (isRequested || (requested_.width == 0 && rates.size() == 1)) {
         rates.emplace_back(rateText(rate), rate);
       }
@@ -114,7 +114,7 @@ void FormatChoice::fill() {
   }
   fillChoice(*size_, std::move(sizesOffered), QSize(requested_.width, requested_.height),
              imageSizeText(requested_.width, requested_.height));
-  fillChoice(*rate_, std::move(rates), requested_.rate, rateText(requested_.rate));
+  fillChoice(*rate_, std::move(rates), requested_.frameRate, rateText(requested_.frameRate));
 }
 
 void FormatChoice::apply() {
@@ -123,7 +123,7 @@ void FormatChoice::apply() {
   const QSize size = size_->currentData().toSize();
   format.width = size.width();
   format.height = size.height();
-  format.rate = rate_->currentData().toDouble();
+  format.frameRate = rate_->currentData().toDouble();
   if (format != requested_) {
     requested_ = format;
     fill();

@@ -33,7 +33,7 @@ PreviewStreams::PreviewStreams(QObject* parent) : QObject(parent) {}
 
 PreviewStreams::~PreviewStreams() {
   for (auto& [location, stream] : streams_) {
-    stream.stop.request_stop();
+    stream.stopSource.request_stop();
   }
 }
 
@@ -42,7 +42,7 @@ void PreviewStreams::setLocations(const QSet<QString>& locations) {
     if (locations.contains(one.first)) {
       return false;
     }
-    one.second.stop.request_stop();
+    one.second.stopSource.request_stop();
     return true;
   });
   for (const QString& location : locations) {
@@ -52,17 +52,17 @@ void PreviewStreams::setLocations(const QSet<QString>& locations) {
   }
 }
 
-const PreviewState* PreviewStreams::state(const QString& location) const {
+const PreviewState* PreviewStreams::previewState(const QString& location) const {
   const auto found = streams_.find(location);
   return found == streams_.end() ? nullptr : &found->second.state;
 }
 
 void PreviewStreams::open(const QString& location) {
-  const std::stop_source source = streams_[location].stop;
+  const std::stop_source source = streams_[location].stopSource;
   const auto deliver = [this, location, mailbox = mailbox_.sender(), source](PreviewState state) {
     mailbox.post([this, location, source, state = std::move(state)] {
       const auto found = streams_.find(location);
-      if (found != streams_.end() && found->second.stop == source) { // not closed meanwhile
+      if (found != streams_.end() && found->second.stopSource == source) { // not closed meanwhile
         found->second.state = state;
         Q_EMIT changed(location);
       }

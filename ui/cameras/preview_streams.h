@@ -35,14 +35,14 @@ public:
   /// Sets the sources to read: opens new sources, and closes all that are not in `locations`.
   void setLocations(const QSet<QString>& locations);
   /// Returns the state of the preview of a source; null if the source is not being read.
-  const PreviewState* state(const QString& location) const;
+  const PreviewState* previewState(const QString& location) const;
 
 Q_SIGNALS:
   void changed(const QString& location);
 
 private:
   struct Stream {
-    std::stop_source stop;
+    std::stop_source stopSource;
     PreviewState state;
   };
   void open(const QString& location);

@@ -87,7 +87,7 @@ void ProjectPane::arrange() {
   list_->setSpacing(2);
   list_->setUniformItemSizes(true);
   exchange_->setMenu(new QMenu(exchange_));
-  addRotations(*rotation_);
+  addRotationChoices(*rotation_);
   nameLabel_->setBuddy(name_);
   rotationLabel_->setBuddy(rotation_);
   source_->setWordWrap(true);
@@ -141,12 +141,12 @@ void ProjectPane::arrange() {
 }
 
 void ProjectPane::connectParts() {
-  connect(&bench_.document, &Document::replaced, this, &ProjectPane::refresh);
+  connect(&bench_.document, &Document::projectReplaced, this, &ProjectPane::refresh);
   connect(&bench_.document, &Document::changed, this, &ProjectPane::refresh);
   connect(&bench_.selection, &Selection::cameraSelected, this, &ProjectPane::refresh);
   connect(&parts_.watch, &DeviceWatch::changed, this, &ProjectPane::refresh);
-  connect(&parts_.controls, &ControlSync::controlsSet, this, &ProjectPane::readControls);
-  connect(&parts_.locker, &ColorLocker::done, this, &ProjectPane::readControls);
+  connect(&parts_.controls, &ControlSync::controlsWritten, this, &ProjectPane::readControls);
+  connect(&parts_.locker, &ColorLocker::completed, this, &ProjectPane::readControls);
   connect(&parts_.locker, &ColorLocker::busyChanged, this, &ProjectPane::refresh);
   connect(list_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& current) {
@@ -179,8 +179,8 @@ void ProjectPane::connectParts() {
     parts_.edits.setControl(camera(), name, value);
   });
   connect(controls_, &ControlForm::dragEnded, &bench_.document, &Document::endStepMerging);
-  connect(lock_, &QPushButton::clicked, this, [this] { parts_.locker.lock(camera()); });
-  connect(lockAll_, &QPushButton::clicked, this, [this] { parts_.locker.lock(-1); });
+  connect(lock_, &QPushButton::clicked, this, [this] { parts_.locker.lockColors(camera()); });
+  connect(lockAll_, &QPushButton::clicked, this, [this] { parts_.locker.lockColors(-1); });
 }
 
 void ProjectPane::retranslateUi() {
@@ -216,11 +216,12 @@ int ProjectPane::camera() const {
 std::optional<std::size_t> ProjectPane::device() const {
   const auto matches = matchProjectDevices(bench_.document.project(), parts_.watch.devices());
   const auto row = static_cast<std::size_t>(camera());
-  return camera() >= 0 && row < matches.size() ? matches[row].device : std::nullopt;
+  return camera() >= 0 && row < matches.size() ? matches[row].deviceIndex : std::nullopt;
 }
 
 void ProjectPane::showImages() {
-  const TrackSnapshotPtr snapshot = bench_.session.withFilledFrames(bench_.session.shownSnapshot());
+  const TrackSnapshotPtr snapshot =
+      bench_.session.withMissingImagesFilled(bench_.session.shownSnapshot());
   std::vector<QIcon> icons;
   const auto count = bench_.document.project().cameras.size();
   for (std::size_t k = 0; k < count; ++k) {
@@ -253,7 +254,7 @@ void ProjectPane::refresh() {
     name_->setText(QString::fromStdString(shown.camera.name));
   }
   rotation_->setCurrentIndex(rotation_->findData(shown.rotateDegrees));
-  mirror_->setChecked(shown.mirrored);
+  mirror_->setChecked(shown.isMirrored);
   const Intrinsics& lens = shown.camera.intrinsics;
   crop_->setMargins(row, shown.crop, lens.width + shown.crop.width(),
                     lens.height + shown.crop.height());
@@ -290,7 +291,7 @@ void ProjectPane::refreshNotes() {
     const ProjectCamera& shown = project.cameras[index];
     const auto matches = matchProjectDevices(project, parts_.watch.devices());
     if (shown.source == SourceKind::Device && parts_.watch.areDevicesListed() &&
-        !matches[index].device) {
+        !matches[index].deviceIndex) {
       notes << (matches[index].isAmbiguous()
                     ? tr("▲ Several devices may be this camera. Choose one on the right.")
                     : tr("▲ This device is not connected."));
@@ -317,9 +318,10 @@ void ProjectPane::readControls() {
   if (path_.empty()) {
     return;
   }
-  job_.start([this, path = path_, access = parts_.watch.access()](const BackgroundJob::Progress&) {
+  job_.start(
+      [this, path = path_, access = parts_.watch.deviceAccess()](const BackgroundJob::Progress&) {
     auto controls =
-        std::make_shared<Result<std::vector<capture::DeviceControl>>>(access->controls(path));
+        std::make_shared<Result<std::vector<capture::DeviceControl>>>(access->readControls(path));
     return [this, path, controls] {
       if (path != path_) {
         return;
@@ -345,7 +347,7 @@ void ProjectPane::showControls() {
         bench_.document.project().cameras[static_cast<std::size_t>(row)].device.controls;
     for (capture::DeviceControl& control : shown) {
       const auto found = wanted.find(control.name);
-      if (found != wanted.end() && !control.inactive) {
+      if (found != wanted.end() && !control.isInactive) {
         control.value = found->second; // it is on its way to the device
       }
     }

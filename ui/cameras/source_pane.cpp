@@ -33,7 +33,7 @@ namespace dewpoint::ui {
 namespace {
 
 QString previewLocation(const capture::CameraDevice& device) {
-  return QString::fromStdString(device.address.empty() ? device.path : device.address);
+  return QString::fromStdString(device.stablePath.empty() ? device.path : device.stablePath);
 }
 
 } // namespace
@@ -98,7 +98,7 @@ void SourcePane::arrange() {
 
 void SourcePane::connectParts() {
   connect(&parts_.watch, &DeviceWatch::changed, this, &SourcePane::refresh);
-  connect(&bench_.document, &Document::replaced, this, &SourcePane::refresh);
+  connect(&bench_.document, &Document::projectReplaced, this, &SourcePane::refresh);
   connect(&bench_.document, &Document::changed, this, &SourcePane::refresh);
   connect(&parts_.edits, &CameraEdits::busyChanged, this, &SourcePane::updateButtons);
   connect(&bench_.selection, &Selection::cameraSelected, this, &SourcePane::updateButtons);
@@ -140,7 +140,7 @@ void SourcePane::retranslateUi() {
 std::optional<int> SourcePane::userOf(int device) const {
   const auto matches = matchProjectDevices(bench_.document.project(), parts_.watch.devices());
   for (std::size_t k = 0; k < matches.size(); ++k) {
-    if (matches[k].device == static_cast<std::size_t>(device)) {
+    if (matches[k].deviceIndex == static_cast<std::size_t>(device)) {
       return static_cast<int>(k);
     }
   }
@@ -149,7 +149,7 @@ std::optional<int> SourcePane::userOf(int device) const {
 
 QString SourcePane::obstacle(SourceKind kind) const {
   const Project& project = bench_.document.project();
-  if (checkCanAdd(project, kind)) {
+  if (checkCanAddCamera(project, kind)) {
     return {};
   }
   if (!project.scene.empty()) {
@@ -179,7 +179,7 @@ void SourcePane::refresh() {
   const bool isScene = !bench_.document.project().scene.empty();
   const QString live = obstacle(SourceKind::Device);
   note_->setText(!live.isEmpty() ? live : isScene ? QString() : obstacle(SourceKind::Video));
-  address_->setObstacle(live);
+  address_->setBlockedReason(live);
   updatePreviews();
   updateButtons();
 }
@@ -188,7 +188,7 @@ void SourcePane::refreshRow(int row) {
   const capture::CameraDevice& device = parts_.watch.devices()[static_cast<std::size_t>(row)];
   QListWidgetItem* item = list_->item(row);
   const auto user = userOf(row);
-  const PreviewState* preview = previews_->state(previewLocation(device));
+  const PreviewState* preview = previews_->previewState(previewLocation(device));
   QStringList lines{deviceName(device), devicePortText(device)};
   if (user) {
     lines << tr("used by %1").arg(bench_.cameras.nameOf(*user));
@@ -199,10 +199,10 @@ void SourcePane::refreshRow(int row) {
   } else if (preview != nullptr && !preview->image.isNull()) {
     lines << imageFormatText(preview->size, preview->framesPerSecond);
   }
-  lines << formatSummary(device);
+  lines << formatSummaryText(device);
   lines.removeAll(QString());
   item->setText(lines.join(QLatin1Char('\n')));
-  item->setToolTip(formatDetails(device));
+  item->setToolTip(formatDetailsText(device));
   if (!user) {
     item->setIcon(
         cameraIcon(preview != nullptr ? preview->image : QImage(), palette(), devicePixelRatioF()));
@@ -210,7 +210,8 @@ void SourcePane::refreshRow(int row) {
 }
 
 void SourcePane::showImages() {
-  const TrackSnapshotPtr snapshot = bench_.session.withFilledFrames(bench_.session.shownSnapshot());
+  const TrackSnapshotPtr snapshot =
+      bench_.session.withMissingImagesFilled(bench_.session.shownSnapshot());
   for (int row = 0; row < list_->count(); ++row) {
     const auto user = userOf(row);
     const auto camera = static_cast<std::size_t>(user.value_or(0));

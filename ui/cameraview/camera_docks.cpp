@@ -67,7 +67,7 @@ void CameraDocks::connectActions() {
     return document->methodFamily().hasBestParticle;
   });
   bench_.requireRun({"actionShowVolumeOfInterest"}, [document = &bench_.document] {
-    return document->methodPresentation().searchesVolume;
+    return document->methodPresentation().limitsSearchToVolume;
   });
   bench_.onToggled("actionShowBest", this, [this](bool shown) {
     for (CameraView* view : views_) {
@@ -87,15 +87,15 @@ void CameraDocks::connectActions() {
 void CameraDocks::connectZoom() {
   bench_.requireRun({"actionZoomIn", "actionZoomOut", "actionFitImage"});
   bench_.requireRun({"actionShowMagnifier"}, [document = &bench_.document] {
-    return document->methodPresentation().searchesVolume;
+    return document->methodPresentation().limitsSearchToVolume;
   });
   bench_.onToggled("actionShowMagnifier", this, [this](bool shown) {
     for (CameraView* view : views_) {
       view->setMagnifierShown(shown);
     }
   });
-  bench_.onTriggered("actionZoomIn", this, [this] { zoom(ImageZoom::kStep); });
-  bench_.onTriggered("actionZoomOut", this, [this] { zoom(1.0 / ImageZoom::kStep); });
+  bench_.onTriggered("actionZoomIn", this, [this] { zoom(ImageZoom::kZoomStep); });
+  bench_.onTriggered("actionZoomOut", this, [this] { zoom(1.0 / ImageZoom::kZoomStep); });
   bench_.onTriggered("actionFitImage", this, [this] {
     if (CameraView* view = viewToZoom()) {
       view->fitImage();
@@ -131,7 +131,7 @@ void CameraDocks::zoom(double factor) {
 void CameraDocks::makeDocks() {
   bench_.docks.restoreMaximized();
   for (ViewDock* dock : docks_) {
-    bench_.docks.remove(dock);
+    bench_.docks.removeDock(dock);
   }
   docks_.clear();
   views_.clear();
@@ -148,7 +148,7 @@ void CameraDocks::makeDocks() {
          .title = [given = cameras[index].camera.name, index] { return cameraName(given, index); },
          .content = view,
          .area = DockArea::Cameras,
-         .rank = camera});
+         .orderInArea = camera});
     dock->title().setState(view->state());
     connect(view, &CameraView::stateChanged, &dock->title(), &DockTitle::setState);
     connect(view, &CameraView::estimatePainted, this, [this](double seconds) {
@@ -206,10 +206,10 @@ void CameraDocks::updateTitles() {
       title.setReason(cameraMotionText(motion));
     } else if (!known) {
       title.setReason({});
-    } else if (isBlind(target->cameraReports[k]) &&
+    } else if (isCameraBlind(target->cameraReports[k]) &&
                trackingState(*snapshot, camera) == TrackingState::Held) {
       // The others hold it: here that word would be a riddle.
-      title.setOnlyReason(cameraBlindText(target->cameraReports[k]));
+      title.showReasonInsteadOfState(cameraBlindText(target->cameraReports[k]));
     } else {
       title.setReason(cameraReasonTextInImage(target->cameraReports[k]));
     }

@@ -36,7 +36,8 @@ cv::Mat drawn(const CameraImageSource& source) {
                       source.imagePart.height());
   const cv::Size size(source.size.width(), source.size.height());
   const bool isMasked = !source.mask.empty() && source.mask.size() == source.frame->image.size();
-  const cv::Mat tints = colorsOfTargets(source.isMotionMask ? std::vector<QColor>() : source.tints);
+  const cv::Mat tints =
+      colorsOfTargets(source.isMotionMask ? std::vector<QColor>() : source.maskColors);
   const cv::Mat image = source.frame->image(part);
   const cv::Mat tinted = isMasked ? tintedImage(image, source.mask(part), tints) : image;
   const bool squares = source.isZoomed && size.width >= kSquareFrom * part.width;
@@ -64,7 +65,7 @@ QImage mapImage(const std::vector<LikelihoodMap>& maps, int camera) {
 
 bool CameraImageSource::operator==(const CameraImageSource& other) const {
   return camera == other.camera && frame == other.frame && mask.data == other.mask.data &&
-         isMotionMask == other.isMotionMask && tints == other.tints &&
+         isMotionMask == other.isMotionMask && maskColors == other.maskColors &&
          imagePart == other.imagePart && size == other.size && isZoomed == other.isZoomed &&
          mapSnapshot == other.mapSnapshot;
 }

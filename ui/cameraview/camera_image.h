@@ -31,12 +31,12 @@ struct CameraImageSource {
   FramePtr frame; ///< frame with the image to draw; null: no image
   /// Pixels with a target color or motion; ignored if its size differs from the image.
   cv::Mat mask;
-  bool isMotionMask = false;    ///< true: the mask shows moving pixels instead of targets
-  std::vector<QColor> tints;    ///< colors in which the mask is drawn, one per target
-  QRect imagePart;              ///< part of the image to draw, pixels
-  QSize size;                   ///< size of `imagePart` on the screen, device pixels
-  bool isZoomed = false;        ///< true: enlarged pixels are drawn as squares
-  TrackSnapshotPtr mapSnapshot; ///< snapshot whose maps are drawn; null for none
+  bool isMotionMask = false;      ///< true: the mask shows moving pixels instead of targets
+  std::vector<QColor> maskColors; ///< colors in which the mask is drawn, one per target
+  QRect imagePart;                ///< part of the image to draw, pixels
+  QSize size;                     ///< size of `imagePart` on the screen, device pixels
+  bool isZoomed = false;          ///< true: enlarged pixels are drawn as squares
+  TrackSnapshotPtr mapSnapshot;   ///< snapshot whose maps are drawn; null for none
 
   bool operator==(const CameraImageSource& other) const;
 };

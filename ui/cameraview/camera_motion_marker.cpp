@@ -38,7 +38,7 @@ void paintCameraMotionMarker(QPainter& painter, const QRectF& image, const QStri
   painter.save();
   const QColor color = trackingStateColor(TrackingState::Lost, palette);
   const QRectF frame = image.adjusted(2.0, 2.0, -2.0, -2.0);
-  withHalo(
+  drawWithHalo(
       painter, color, 2.0, [&] { painter.drawRect(frame); }, Qt::DashLine, edgeHalo(150, 2.0));
   const QString marker = QStringLiteral("▲ ") + text;
   const QFontMetricsF metrics(painter.font());

@@ -51,13 +51,13 @@ std::vector<QColor> overlayColors(const TrackSnapshot& snapshot) {
 
 /// Several targets are told apart by their colors, of a single one the weights are.
 ParticleRamp rampOf(const TrackSnapshot& snapshot, const QColor& color) {
-  return snapshot.targets.size() > 1 ? ParticleRamp::tinted(color) : ParticleRamp::heat();
+  return snapshot.targets.size() > 1 ? ParticleRamp::tintedRamp(color) : ParticleRamp::heatRamp();
 }
 
 CameraOverlay shownOverlay(const TrackSnapshot& snapshot, int camera, std::size_t target,
                            const CameraViewOptions& look) {
   CameraOverlay overlay = cameraOverlay(snapshot, camera, snapshot.targets[target]);
-  if (!look.bestParticleShown) {
+  if (!look.isBestParticleShown) {
     overlay.bestParticle.reset();
   }
   return overlay;
@@ -72,7 +72,7 @@ void paintInset(QPainter& painter, const CameraImageSource& source, const TrackS
           ? static_cast<std::size_t>(look.chosenTarget)
           : 0;
   const cv::Mat& image = source.frame->image;
-  if (!look.magnifierShown || targets.empty() || isPaintedAsPerson(targets[chosen]) ||
+  if (!look.isMagnifierShown || targets.empty() || isPaintedAsPerson(targets[chosen]) ||
       !targets[chosen].target.isShown || targets[chosen].status != TargetStatus::Held ||
       image.type() != CV_8UC3) {
     return;
@@ -97,22 +97,22 @@ FramePtr frameOf(const TrackSnapshotPtr& snapshot, int camera) {
   return snapshot->frames->frames[index];
 }
 
-CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera,
-                              const CameraViewOptions& look, const QSize& size) {
+CameraImageSource makeImageSource(const TrackSnapshotPtr& snapshot, int camera,
+                                  const CameraViewOptions& look, const QSize& size) {
   const FramePtr frame = frameOf(snapshot, camera);
   if (!frame || frame->image.empty()) {
     return {};
   }
-  const cv::Mat mask = look.maskShown ? maskOf(snapshot, camera) : cv::Mat();
+  const cv::Mat mask = look.isMaskShown ? maskOf(snapshot, camera) : cv::Mat();
   return {.camera = camera,
           .frame = frame,
           .mask = mask,
           .isMotionMask = snapshot->masksShowMotion,
-          .tints = mask.empty() ? std::vector<QColor>() : overlayColors(*snapshot),
+          .maskColors = mask.empty() ? std::vector<QColor>() : overlayColors(*snapshot),
           .imagePart = QRect(0, 0, frame->image.cols, frame->image.rows),
           .size = size,
           .isZoomed = false,
-          .mapSnapshot = look.likelihoodShown ? snapshot : nullptr};
+          .mapSnapshot = look.isLikelihoodShown ? snapshot : nullptr};
 }
 
 void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnapshotPtr& snapshot,
@@ -186,11 +186,11 @@ QImage cameraPicture(const TrackSnapshotPtr& snapshot, int camera, const CameraV
   const ZoomSizes sizes{pixels, size, 1.0};
   const ImageZoom fitted;
   const CameraImage image =
-      drawCameraImage(imageSource(snapshot, camera, look, fitted.visiblePartSize(sizes)));
+      drawCameraImage(makeImageSource(snapshot, camera, look, fitted.visiblePartSize(sizes)));
   CameraImageArea place;
   place.placement = fitted.placement(sizes);
   place.visibleArea = place.placement.areaOf(pixels) & QRectF(picture.rect());
-  painter.drawImage(place.placement.corner, image.image);
+  painter.drawImage(place.placement.topLeft, image.image);
   painter.setClipRect(place.visibleArea);
   paintEstimates(painter, image, snapshot, look, place);
   return picture;

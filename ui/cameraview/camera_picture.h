@@ -19,12 +19,12 @@ namespace dewpoint::ui {
 
 /// Layers of a camera view that users can switch on and off.
 struct CameraViewOptions {
-  bool maskShown = false;
-  bool likelihoodShown = false;   ///< likelihood maps and candidate positions
-  bool bestParticleShown = false; ///< each target's highest-weight particle
-  bool magnifierShown = false;    ///< inset that enlarges a small particle cloud
-  std::optional<WorldBox> volume; ///< volume of interest; empty: no outline is shown
-  int chosenTarget = -1;          ///< selected target; -1: none
+  bool isMaskShown = false;
+  bool isLikelihoodShown = false;   ///< likelihood maps and candidate positions
+  bool isBestParticleShown = false; ///< each target's highest-weight particle
+  bool isMagnifierShown = false;    ///< inset that enlarges a small particle cloud
+  std::optional<WorldBox> volume;   ///< volume of interest; empty: no outline is shown
+  int chosenTarget = -1;            ///< selected target; -1: none
   QPalette palette;
 };
 
@@ -33,8 +33,8 @@ FramePtr frameOf(const TrackSnapshotPtr& snapshot, int camera);
 
 /// Returns the input for drawing a whole camera image in this size (device pixels) with the layers
 /// that `look` switches on. The frame of the input is null if there is no image.
-CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera,
-                              const CameraViewOptions& look, const QSize& size);
+CameraImageSource makeImageSource(const TrackSnapshotPtr& snapshot, int camera,
+                                  const CameraViewOptions& look, const QSize& size);
 
 /// Position and visible part of a camera image in its view.
 struct CameraImageArea {

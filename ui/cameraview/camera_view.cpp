@@ -35,22 +35,22 @@ void CameraView::setSnapshot(const TrackSnapshotPtr& snapshot) {
 }
 
 void CameraView::setMaskShown(bool shown) {
-  look_.maskShown = shown;
+  look_.isMaskShown = shown;
   refresh();
 }
 
 void CameraView::setLikelihoodShown(bool shown) {
-  look_.likelihoodShown = shown;
+  look_.isLikelihoodShown = shown;
   refresh();
 }
 
 void CameraView::setBestParticleShown(bool shown) {
-  look_.bestParticleShown = shown;
+  look_.isBestParticleShown = shown;
   update();
 }
 
 void CameraView::setMagnifierShown(bool shown) {
-  look_.magnifierShown = shown;
+  look_.isMagnifierShown = shown;
   update();
 }
 
@@ -75,7 +75,7 @@ TrackingState CameraView::currentState() const {
 }
 
 CameraImageSource CameraView::source() const {
-  CameraImageSource wanted = imageSource(snapshot_, camera_, look_, {});
+  CameraImageSource wanted = makeImageSource(snapshot_, camera_, look_, {});
   if (wanted.frame) {
     const ZoomSizes room = zoomSizesFor(*wanted.frame);
     wanted.imagePart = zoom_.visiblePart(room);
@@ -137,7 +137,7 @@ void CameraView::reveal(const QPointF& pixel) {
 }
 
 void CameraView::fitImage() {
-  zoom_.fit();
+  zoom_.fitToView();
   onZoomChanged();
 }
 
@@ -261,7 +261,7 @@ QRectF CameraView::drawnArea() const {
   const double ratio = devicePixelRatioF();
   const CameraImageSource& source = picture_.source;
   const QPointF corner =
-      (placement_.corner + QPointF(source.imagePart.topLeft()) * placement_.scale) * ratio;
+      (placement_.topLeft + QPointF(source.imagePart.topLeft()) * placement_.scale) * ratio;
   // Without a fraction of a pixel, so that it is drawn one to one.
   const QSizeF wanted = QSizeF(source.imagePart.size()) * (placement_.scale * ratio);
   const bool isThatSize = std::abs(wanted.width() - source.size.width()) < 1.0 &&

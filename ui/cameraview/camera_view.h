@@ -79,7 +79,7 @@ Q_SIGNALS:
   void stateChanged(TrackingState state);
   void menuRequested(const QPointF& position);
   /// Emitted when a new live estimate is painted, with the time since it was finished in seconds.
-  void estimatePainted(double seconds);
+  void estimatePainted(double secondsSinceFinished);
 
 protected:
   void contextMenuEvent(QContextMenuEvent* event) override;

@@ -36,7 +36,7 @@ QString barText(double length) {
 
 /// A square around the place, and a line from it to the inset.
 void paintLead(QPainter& painter, const QRectF& place, const QRectF& inset) {
-  withHalo(
+  drawWithHalo(
       painter, kInsetInk, 1.0, [&] { painter.drawRect(place); }, Qt::SolidLine, kInsetHalo);
   const QPointF near(std::clamp(place.center().x(), inset.left(), inset.right()),
                      std::clamp(place.center().y(), inset.top(), inset.bottom()));
@@ -47,7 +47,7 @@ void paintLead(QPainter& painter, const QRectF& place, const QRectF& inset) {
     return; // it touches the inset
   }
   line.setP2(place.center() - way * (place.width() / 2.0 / longer)); // up to the square
-  withHalo(
+  drawWithHalo(
       painter, kLeadInk, 1.0, [&] { painter.drawLine(line); }, Qt::SolidLine, kInsetHalo);
 }
 
@@ -62,7 +62,7 @@ void paintScaleBar(QPainter& painter, const QRectF& inset, double scale) {
   const QPointF left = inset.bottomLeft() + QPointF(7.0, -7.0);
   const QPointF right = left + QPointF(length * scale, 0.0);
   const Halo halo{170, 2.0, true, Qt::FlatCap, Qt::MiterJoin};
-  withHalo(
+  drawWithHalo(
       painter, Qt::white, 2.0, [&] { painter.drawLine(left, right); }, Qt::SolidLine, halo);
   const QPointF words = left + QPointF(0.0, -metrics.descent() - 2.0);
   painter.setPen(QColor(0, 0, 0, 120));
@@ -111,10 +111,10 @@ void paintCloudInset(QPainter& painter, const CloudInset& subject) {
   painter.drawImage(square, picture);
   const ImagePlacement enlarged{square.center() - (center + QPointF(0.5, 0.5)) * scale, scale};
   paintParticles(painter, subject.overlay, enlarged, subject.ramp);
-  withHalo(painter, subject.color, 1.3, [&] { paintEllipse(painter, *ellipse, enlarged); });
+  drawWithHalo(painter, subject.color, 1.3, [&] { paintEllipse(painter, *ellipse, enlarged); });
   paintScaleBar(painter, square, scale);
   painter.restore();
-  withHalo(
+  drawWithHalo(
       painter, kInsetInk, kInsetPenWidth, [&] { painter.drawPath(frame); }, Qt::SolidLine,
       kInsetHalo);
   painter.restore();

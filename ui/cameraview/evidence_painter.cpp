@@ -24,7 +24,7 @@ void paintLikelihoodMap(QPainter& painter, const QRect& place, const QImage& map
                         const ImagePlacement& placement) {
   painter.save();
   if (!map.isNull()) {
-    const QRectF area(placement.corner + QPointF(place.topLeft()) * placement.scale,
+    const QRectF area(placement.topLeft + QPointF(place.topLeft()) * placement.scale,
                       QSizeF(place.size()) * placement.scale);
     painter.setOpacity(0.72);
     painter.drawImage(area, map);
@@ -36,7 +36,7 @@ void paintLikelihoodMap(QPainter& painter, const QRect& place, const QImage& map
   painter.setBrush(Qt::NoBrush);
   for (const ProposedOutline& outline : proposed) {
     const QPointF center =
-        placement.corner +
+        placement.topLeft +
         QPointF(outline.center.x() + 0.5, outline.center.y() + 0.5) * placement.scale;
     const double radius = std::max(4.0, outline.radius * placement.scale);
     for (const auto& [color, width] :

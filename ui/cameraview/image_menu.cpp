@@ -20,7 +20,7 @@ void addEntries(QMenu* menu, const std::vector<ImageMenuEntry>& entries) {
     action->setObjectName(entry.name);
     action->setToolTip(entry.hint);
     action->setStatusTip(entry.hint);
-    action->setEnabled(entry.enabled);
+    action->setEnabled(entry.isEnabled);
     QObject::connect(action, &QAction::triggered, menu, entry.run);
   }
   if (!entries.empty()) {

@@ -21,7 +21,7 @@ struct ImageMenuEntry {
   QString name; ///< objectName of the action
   QString text;
   QString hint; ///< one sentence for the tooltip
-  bool enabled = true;
+  bool isEnabled = true;
   std::function<void()> run;
 };
 

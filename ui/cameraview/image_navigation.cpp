@@ -55,7 +55,7 @@ bool ImageNavigation::zoom(QWidget* under, QWheelEvent& event) {
   if (notches == 0.0 || view_->imageSize().isEmpty()) {
     return false;
   }
-  view_->zoomBy(std::pow(ImageZoom::kStep, notches), under->mapTo(view_, event.position()));
+  view_->zoomBy(std::pow(ImageZoom::kZoomStep, notches), under->mapTo(view_, event.position()));
   event.accept();
   return true;
 }

@@ -97,7 +97,7 @@ void ImagePickOverlay::mousePressEvent(QMouseEvent* event) {
     pointerPosition_ = event->position();
     if (pointing_) {
       update();
-      Q_EMIT grabbed(*pixel);
+      Q_EMIT pointGrabbed(*pixel);
       Q_EMIT pointMoved(*pixel);
     }
   } else {
@@ -174,7 +174,7 @@ void ImagePickOverlay::keyPressEvent(QKeyEvent* event) {
     return;
   }
   if (event->key() == Qt::Key_Escape && picking_) {
-    Q_EMIT cancelled();
+    Q_EMIT canceled();
     return;
   }
   if (!controlsCross(*event)) {

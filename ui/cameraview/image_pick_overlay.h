@@ -28,8 +28,8 @@ public:
   /// Sets whether a magnifier shows the pixels under the pointer while picking. The magnifier
   /// appears only if pixels are small.
   void setMagnifying(bool magnifying) { magnifying_ = magnifying; }
-  /// Sets whether a drag moves a point instead of drawing a box. Such a drag emits `grabbed()` at
-  /// the start, `pointMoved()` during the drag, and `picked()` at the end.
+  /// Sets whether a drag moves a point instead of drawing a box. Such a drag emits `pointGrabbed()`
+  /// at the start, `pointMoved()` during the drag, and `picked()` at the end.
   void setPointDragging(bool pointing) { pointing_ = pointing; }
   /// Sets the pixel where the keyboard cross starts; the image center by default.
   void setCrossStart(std::optional<QPointF> start) { crossStart_ = start; }
@@ -53,14 +53,14 @@ public:
 Q_SIGNALS:
   /// Emitted after a click (`region` has an empty size) or a dragged box, in image pixels.
   void picked(const QRectF& region, Qt::KeyboardModifiers modifiers);
-  /// Emitted while a point is dragged: `grabbed()` when the mouse button is pressed; `pointMoved()`
-  /// when the point moves, also by keys; `dragEnded()` when the drag is over, after `picked()`
-  /// if a pixel was picked. Positions are in image pixels.
-  void grabbed(const QPointF& pixel);
+  /// Emitted while a point is dragged: `pointGrabbed()` when the mouse button is pressed;
+  /// `pointMoved()` when the point moves, also by keys; `dragEnded()` when the drag is over, after
+  /// `picked()` if a pixel was picked. Positions are in image pixels.
+  void pointGrabbed(const QPointF& pixel);
   void pointMoved(const QPointF& pixel);
   void dragEnded();
   /// Emitted when Esc is pressed, which ends picking.
-  void cancelled();
+  void canceled();
   /// Emitted when the user presses the mouse button on the image, or picks a pixel with the
   /// keyboard. The camera of this view must then be selected.
   void viewChosen();

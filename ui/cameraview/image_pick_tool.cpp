@@ -26,12 +26,12 @@ void ImagePickTool::attach(int camera, CameraView* view) {
           [this, camera] { Q_EMIT cameraChosen(camera); });
   connect(layer, &ImagePickOverlay::imageClicked, this,
           [this, camera](const QPointF& pixel) { Q_EMIT imageClicked(camera, pixel); });
-  connect(layer, &ImagePickOverlay::cancelled, this, &ImagePickTool::cancelled);
+  connect(layer, &ImagePickOverlay::canceled, this, &ImagePickTool::canceled);
   connect(layer, &ImagePickOverlay::picked, this,
           [this, camera](const QRectF& region, Qt::KeyboardModifiers modifiers) {
             Q_EMIT picked(camera, region, modifiers);
           });
-  Q_EMIT attached();
+  Q_EMIT viewAttached();
 }
 
 void ImagePickTool::setPicking(bool picking, const QString& hint) {

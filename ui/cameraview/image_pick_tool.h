@@ -34,12 +34,12 @@ public:
   void clearRegions();
 
 Q_SIGNALS:
-  void attached();
+  void viewAttached();
   /// Emitted after a click (`region` has an empty size) or a dragged box in a camera image, in
   /// pixels.
   void picked(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
   /// Emitted when Esc is pressed, which ends picking.
-  void cancelled();
+  void canceled();
   /// cameraChosen() is emitted when the user presses the mouse button on a camera image, or picks a
   /// pixel with the keyboard. imageClicked() follows for a plain click outside picking mode, with
   /// its position in image pixels.

@@ -12,17 +12,17 @@ namespace dewpoint::ui {
 /// Placement of an image in its widget: upper left corner in widget coordinates, and widget
 /// units per image pixel. Pixel centers lie at integer coordinates.
 struct ImagePlacement {
-  QPointF corner;
+  QPointF topLeft;
   double scale = 1.0;
 
   QPointF positionOf(const QPointF& pixel) const {
-    return corner + (pixel + QPointF(0.5, 0.5)) * scale;
+    return topLeft + (pixel + QPointF(0.5, 0.5)) * scale;
   }
   QPointF pixelAt(const QPointF& position) const {
-    return (position - corner) / scale - QPointF(0.5, 0.5);
+    return (position - topLeft) / scale - QPointF(0.5, 0.5);
   }
   /// Returns the area covered by an image of this size, in widget coordinates.
-  QRectF areaOf(const QSize& image) const { return {corner, QSizeF(image) * scale}; }
+  QRectF areaOf(const QSize& image) const { return {topLeft, QSizeF(image) * scale}; }
 };
 
 } // namespace dewpoint::ui

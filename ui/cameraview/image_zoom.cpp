@@ -39,7 +39,7 @@ double coveringCorner(double corner, double shown, double view, double band) {
 }
 
 QPointF coveringCorner(const QPointF& corner, double scale, const ZoomSizes& sizes) {
-  const QPointF band = fittedPlacement(sizes).corner;
+  const QPointF band = fittedPlacement(sizes).topLeft;
   return {
       coveringCorner(corner.x(), sizes.imageSize.width() * scale, sizes.viewSize.width(), band.x()),
       coveringCorner(corner.y(), sizes.imageSize.height() * scale, sizes.viewSize.height(),
@@ -83,15 +83,15 @@ void ImageZoom::zoomBy(double factor, const QPointF& position, const ZoomSizes& 
   const double scale = std::clamp(now.scale * factor, least, std::max(least, kMaxScale));
   constexpr double kAlmost = 1.0 + 1e-6; // as many steps back as there were in lead to the fit
   if (scale <= least * kAlmost) {
-    fit();
+    fitToView();
     return;
   }
-  moveTo(position - (position - now.corner) * (scale / now.scale), scale, sizes);
+  moveTo(position - (position - now.topLeft) * (scale / now.scale), scale, sizes);
 }
 
 void ImageZoom::panBy(const QPointF& offset, const ZoomSizes& sizes) {
   if (!isFitted(sizes)) {
-    moveTo(exactPlacement(sizes).corner + offset, scale_, sizes);
+    moveTo(exactPlacement(sizes).topLeft + offset, scale_, sizes);
   }
 }
 
@@ -106,8 +106,8 @@ void ImageZoom::reveal(const QPointF& pixel, const ZoomSizes& sizes) {
 
 ImagePlacement ImageZoom::placement(const ZoomSizes& sizes) const {
   const ImagePlacement exact = exactPlacement(sizes);
-  return {QPointF(wholeDevicePixel(exact.corner.x(), sizes.pixelRatio),
-                  wholeDevicePixel(exact.corner.y(), sizes.pixelRatio)),
+  return {QPointF(wholeDevicePixel(exact.topLeft.x(), sizes.pixelRatio),
+                  wholeDevicePixel(exact.topLeft.y(), sizes.pixelRatio)),
           exact.scale};
 }
 
@@ -116,7 +116,7 @@ QRect ImageZoom::visiblePart(const ZoomSizes& sizes) const {
     return {{0, 0}, sizes.imageSize};
   }
   const ImagePlacement now = placement(sizes);
-  const QPointF first = -now.corner / now.scale;
+  const QPointF first = -now.topLeft / now.scale;
   const QPointF last = first + QPointF(sizes.viewSize.width(), sizes.viewSize.height()) / now.scale;
   const auto [left, right] = sparePixels(first.x(), last.x(), sizes.imageSize.width());
   const auto [top, bottom] = sparePixels(first.y(), last.y(), sizes.imageSize.height());

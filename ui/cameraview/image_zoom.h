@@ -23,7 +23,7 @@ struct ZoomSizes {
 class ImageZoom {
 public:
   /// Zoom factor per wheel step or key press.
-  static constexpr double kStep = 1.4142135623730951;
+  static constexpr double kZoomStep = 1.4142135623730951;
   /// Maximum scale of a zoomed image, in widget units per image pixel. The scale of a fitted image
   /// may be larger.
   static constexpr double kMaxScale = 32.0;
@@ -37,7 +37,7 @@ public:
   void panBy(const QPointF& offset, const ZoomSizes& sizes);
   /// Moves a zoomed image just far enough to make `pixel` visible.
   void reveal(const QPointF& pixel, const ZoomSizes& sizes);
-  void fit() { scale_ = 0.0; }
+  void fitToView() { scale_ = 0.0; }
 
   /// Returns the placement of the image. Its corner lies on a whole device pixel.
   ImagePlacement placement(const ZoomSizes& sizes) const;

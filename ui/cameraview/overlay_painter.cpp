@@ -22,7 +22,7 @@ QPointF placed(double column, double row, const ImagePlacement& placement) {
 /// Dashed where the target is only thought to be.
 void paintBox(QPainter& painter, const ImageBox& box, bool hidden, const ImagePlacement& placement,
               const QColor& color) {
-  const QRectF place(placement.corner + QPointF(box.x, box.y) * placement.scale,
+  const QRectF place(placement.topLeft + QPointF(box.x, box.y) * placement.scale,
                      QSizeF(box.width, box.height) * placement.scale);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(QColor(0, 0, 0, 150), 4.4, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
@@ -37,9 +37,9 @@ void paintBox(QPainter& painter, const ImageBox& box, bool hidden, const ImagePl
 void paintEllipse(QPainter& painter, const ImageEllipse& ellipse, const ImagePlacement& placement) {
   painter.save();
   painter.translate(placed(ellipse.center.x(), ellipse.center.y(), placement));
-  painter.rotate(ellipse.angle * 180.0 / std::numbers::pi);
-  painter.drawEllipse(QPointF(0, 0), ellipse.semiMajor * placement.scale,
-                      ellipse.semiMinor * placement.scale);
+  painter.rotate(ellipse.angleRadians * 180.0 / std::numbers::pi);
+  painter.drawEllipse(QPointF(0, 0), ellipse.semiMajorAxis * placement.scale,
+                      ellipse.semiMinorAxis * placement.scale);
   painter.restore();
 }
 
@@ -62,12 +62,12 @@ void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePl
     }
   }
   if (overlay.ellipse) {
-    withHalo(painter, color, 1.5, [&] { paintEllipse(painter, *overlay.ellipse, placement); });
+    drawWithHalo(painter, color, 1.5, [&] { paintEllipse(painter, *overlay.ellipse, placement); });
   }
   if (overlay.truth) {
     const QPointF at = placed(overlay.truth->x(), overlay.truth->y(), placement);
     // A diamond: another shape than the cross of the estimate, which should lie inside it.
-    withHalo(painter, Qt::white, 1.3, [&] {
+    drawWithHalo(painter, Qt::white, 1.3, [&] {
       painter.drawPolygon(QPolygonF(
           {at + QPointF(0, -7), at + QPointF(7, 0), at + QPointF(0, 7), at + QPointF(-7, 0)}));
     });
@@ -75,14 +75,14 @@ void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePl
   if (overlay.bestParticle) {
     const QPointF at = placed(overlay.bestParticle->x(), overlay.bestParticle->y(), placement);
     // A triangle: another shape than the cross of the mean and the diamond of the truth.
-    withHalo(painter, color, 1.5, [&] {
+    drawWithHalo(painter, color, 1.5, [&] {
       painter.drawPolygon(
           QPolygonF({at + QPointF(0, -8), at + QPointF(7, 4.5), at + QPointF(-7, 4.5)}));
     });
   }
   if (overlay.estimate) {
     const QPointF at = placed(overlay.estimate->x(), overlay.estimate->y(), placement);
-    withHalo(painter, color, 1.8, [&] {
+    drawWithHalo(painter, color, 1.8, [&] {
       for (const QPointF& arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
         painter.drawLine(at + arm * 3.0, at + arm * 11.0);
       }

@@ -39,7 +39,7 @@ QPixmap drawDots(const ParticleRamp& ramp, double growth, double ratio) {
     const QPointF center((level + 0.5) * side / ratio, 0.5 * side / ratio);
     painter.setBrush(QColor(0, 0, 0, 130));
     painter.drawEllipse(center, radius + kDotHalo, radius + kDotHalo);
-    painter.setBrush(ramp.at(weight));
+    painter.setBrush(ramp.colorAt(weight));
     painter.drawEllipse(center, radius, radius);
   }
   return dots;
@@ -48,10 +48,11 @@ QPixmap drawDots(const ParticleRamp& ramp, double growth, double ratio) {
 /// The same, kept from one target and frame to the next.
 QPixmap dotsOf(const ParticleRamp& ramp, double growth, double ratio) {
   // A tinted ramp has no more colors than these, and none of them is the one of heat.
-  const QString key = QStringLiteral("particle dots %1 %2 %3 %4 %5")
-                          .arg(ramp.at(0.0).name(), ramp.at(0.5).name(), ramp.at(1.0).name())
-                          .arg(growth)
-                          .arg(ratio);
+  const QString key =
+      QStringLiteral("particle dots %1 %2 %3 %4 %5")
+          .arg(ramp.colorAt(0.0).name(), ramp.colorAt(0.5).name(), ramp.colorAt(1.0).name())
+          .arg(growth)
+          .arg(ratio);
   QPixmap dots;
   if (!QPixmapCache::find(key, &dots)) {
     dots = drawDots(ramp, growth, ratio);

@@ -16,14 +16,14 @@ class ParticleRamp {
 public:
   /// Returns a scale from dark violet through magenta to bright yellow-white. These colors are rare
   /// in a room.
-  static ParticleRamp heat();
+  static ParticleRamp heatRamp();
   /// Returns a scale of shades of `color`, so that the particles of several targets can be
   /// distinguished by the colors of the targets.
-  static ParticleRamp tinted(const QColor& color);
+  static ParticleRamp tintedRamp(const QColor& color);
 
   /// Returns the color of a particle whose weight is `weight`, relative to the largest weight (0 to
   /// 1).
-  QColor at(double weight) const;
+  QColor colorAt(double weight) const;
 
 private:
   explicit ParticleRamp(std::vector<QColor> stops) : stops_(std::move(stops)) {}

@@ -25,7 +25,7 @@ QPolygonF outlineOf(const Projector& projector, const ConvexHull& hull,
   QPolygonF outline;
   for (const Eigen::Vector2d& corner : projectedHull(projector, hull)) {
     const Eigen::Vector2d pixel = corner.cwiseMax(-kFarOff).cwiseMin(kFarOff);
-    outline << placement.corner + QPointF(pixel.x() + 0.5, pixel.y() + 0.5) * placement.scale;
+    outline << placement.topLeft + QPointF(pixel.x() + 0.5, pixel.y() + 0.5) * placement.scale;
   }
   return outline;
 }
@@ -37,7 +37,7 @@ void paintHull(QPainter& painter, const QPolygonF& outline, const QColor& color,
   painter.setPen(Qt::NoPen);
   painter.setBrush(veil);
   painter.drawPolygon(outline);
-  withHalo(
+  drawWithHalo(
       painter, color, chosen ? 3.0 : 2.0, [&] { painter.drawPolygon(outline); },
       held ? Qt::SolidLine : Qt::DashLine);
 }
@@ -55,16 +55,16 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
   painter.setRenderHint(QPainter::Antialiasing);
   for (const PersonInSnapshot& person : peopleIn(snapshot)) {
     const TargetSnapshot& target = *person.target;
-    const int k = static_cast<int>(person.index);
+    const int k = static_cast<int>(person.targetIndex);
     const bool isChosen = k == chosen;
     const QColor color = targetColor(target.target.name, k);
     if (!target.shape) {
       const CameraOverlay overlay = cameraOverlay(snapshot, camera, target);
-      paintOverlay(painter, overlay, placement, color, ParticleRamp::tinted(color));
+      paintOverlay(painter, overlay, placement, color, ParticleRamp::tintedRamp(color));
       if (overlay.estimate) {
         const QPointF middle(overlay.estimate->x() + 0.5, overlay.estimate->y() + 0.5);
         paintIdentityBadge(painter, person.estimate->identity,
-                           placement.corner + middle * placement.scale - QPointF(0.0, 14.0), room,
+                           placement.topLeft + middle * placement.scale - QPointF(0.0, 14.0), room,
                            isChosen);
       }
       continue;
@@ -99,7 +99,7 @@ void paintPeopleProblem(QPainter& painter, const TrackSnapshot& snapshot, int ca
   const QFontMetricsF metrics(painter.font());
   const double most = room.width() - 16.0;
   if (share && metrics.horizontalAdvance(text) + 24.0 > most) {
-    text = shortLearningText(*share);
+    text = shortBackgroundLearningText(*share);
   }
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

@@ -20,7 +20,7 @@ constexpr QColor kPickColor(0xf0, 0xe4, 0x42);
 } // namespace
 
 void paintPickOutline(QPainter& painter, const QPolygonF& outline, Qt::PenStyle style) {
-  withHalo(
+  drawWithHalo(
       painter, kPickColor, 1.4, [&] { painter.drawPolygon(outline); }, style, edgeHalo(170, 1.6));
 }
 
@@ -54,7 +54,7 @@ void paintPickCross(QPainter& painter, const QPointF& position) {
 }
 
 void paintPickGuide(QPainter& painter, const QPolygonF& line) {
-  withHalo(painter, kPickColor, 1.2, [&] { painter.drawPolyline(line); });
+  drawWithHalo(painter, kPickColor, 1.2, [&] { painter.drawPolyline(line); });
 }
 
 QStringList pickHintLines(const QString& hint, const QFontMetricsF& metrics, double width) {

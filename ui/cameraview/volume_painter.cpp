@@ -26,9 +26,9 @@ void paintVolume(QPainter& painter, const Camera& camera, const WorldBox& volume
   for (const ImageLine& line : projectEdges(Projector(camera), volume)) {
     QPolygonF edge;
     for (const Eigen::Vector2d& pixel : line) {
-      edge << placement.corner + QPointF(pixel.x() + 0.5, pixel.y() + 0.5) * placement.scale;
+      edge << placement.topLeft + QPointF(pixel.x() + 0.5, pixel.y() + 0.5) * placement.scale;
     }
-    withHalo(
+    drawWithHalo(
         painter, Qt::white, kEdgeWidth, [&] { painter.drawPolyline(edge); }, Qt::DashLine);
   }
   painter.restore();

@@ -57,7 +57,7 @@ void BoxPicker::applyResult(int target, const TargetBox& box) {
     return;
   }
   setTarget(static_cast<int>(index));
-  Q_EMIT boxSet(static_cast<int>(index), isFirst);
+  Q_EMIT boxDefined(static_cast<int>(index), isFirst);
 }
 
 } // namespace dewpoint::ui

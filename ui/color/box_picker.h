@@ -27,7 +27,7 @@ public:
 
 Q_SIGNALS:
   /// Emitted when a target has received its box. `isFirst` is true if the target had no box before.
-  void boxSet(int target, bool isFirst);
+  void boxDefined(int target, bool isFirst);
   void failed(const QString& sentence);
 
 private:

@@ -37,7 +37,7 @@ ColorDock::ColorDock(const Workbench& bench, const CameraDocks& cameras, const T
   dock_ = bench_.docks.makeDock({.name = QStringLiteral("colorDock"),
                                  .title = [] { return tr("Color"); },
                                  .content = scroll,
-                                 .rank = 3});
+                                 .orderInArea = 3});
   bench_.connectImageView(panel_);
   connect(dock_, &QDockWidget::visibilityChanged, panel_, &ColorPanel::setPanelVisible);
   connect(panel_, &ColorPanel::failed, &bench_.messages, &MessageBar::showError);

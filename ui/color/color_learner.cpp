@@ -79,7 +79,7 @@ void ColorLearner::learnFrom(int camera, const QRectF& region, SampleAction acti
   start([this, scene = scene(), camera, frame, region, action, samples, target, step,
          index]() mutable -> std::function<void()> {
     ColorSample place;
-    place.excluded = action == SampleAction::Exclude;
+    place.isExcluded = action == SampleAction::Exclude;
     place.camera = camera;
     place.frame = frame;
     place.x = region.x();
@@ -116,7 +116,7 @@ void ColorLearner::removeSample(int index) {
     const Target& taught = project.targets[static_cast<std::size_t>(target)];
     same.color.range = taught.color;
     same.color.otherRanges = taught.otherColors;
-    same.color.assessment.targetKnown = false;
+    same.color.assessment.isTargetKnown = false;
     applyResult(target, same, step);
     return;
   }
@@ -148,8 +148,8 @@ void ColorLearner::applyResult(int target, const setup::ClickLearningResult& les
   setTarget(learnedTarget);
   Q_EMIT colorLearned(learnedTarget, learnedTarget != target);
   Q_EMIT learningResultReady(lesson);
-  if (lesson.color.assessment.targetKnown) {
-    Q_EMIT assessed(lesson.color.assessment);
+  if (lesson.color.assessment.isTargetKnown) {
+    Q_EMIT colorAssessed(lesson.color.assessment);
   } else {
     assessLearnedColor();
   }
@@ -164,7 +164,7 @@ void ColorLearner::assessLearnedColor() {
   start([this, target, shown = images(), rooms = backgroundImages()]() -> std::function<void()> {
     const ColorAssessment assessment =
         assessColorWithBackground(target.colors(), target.samples, shown, rooms);
-    return [this, assessment] { Q_EMIT assessed(assessment); };
+    return [this, assessment] { Q_EMIT colorAssessed(assessment); };
   });
 }
 

@@ -44,7 +44,7 @@ Q_SIGNALS:
   void colorLearned(int target, bool isNew);
   /// Emitted with everything that was learned from clicks, before the color is assessed.
   void learningResultReady(const dewpoint::setup::ClickLearningResult& lesson);
-  void assessed(const dewpoint::color::ColorAssessment& assessment);
+  void colorAssessed(const dewpoint::color::ColorAssessment& assessment);
   void failed(const QString& sentence);
   void busyChanged(bool busy);
 

@@ -79,10 +79,10 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
   });
   connect(survey_, &ImageHistogramJob::finished, picker_, &ColorPicker::setHistogram);
   connect(samples_, &ColorSampleList::removeRequested, this, &ColorPanel::removeSample);
-  connect(&pick_, &ImagePickTool::attached, this, [this] { setPicking(picking_); });
-  connect(&pick_, &ImagePickTool::cancelled, this, [this] { setPicking(false); });
+  connect(&pick_, &ImagePickTool::viewAttached, this, [this] { setPicking(picking_); });
+  connect(&pick_, &ImagePickTool::canceled, this, [this] { setPicking(false); });
   connect(&pick_, &ImagePickTool::picked, this, &ColorPanel::handlePick);
-  connect(&document_, &Document::replaced, this, [this] {
+  connect(&document_, &Document::projectReplaced, this, [this] {
     setTarget(0);
     retranslateUi(); // its method may be of another kind
   });
@@ -102,7 +102,7 @@ void ColorPanel::connectLearner() {
     Q_EMIT colorLearned(target, isNew);
   };
   connect(learner_, &ColorLearner::colorLearned, this, showLearned);
-  connect(boxes_, &BoxPicker::boxSet, this, showLearned);
+  connect(boxes_, &BoxPicker::boxDefined, this, showLearned);
   connect(boxes_, &BoxPicker::failed, this, &ColorPanel::failed);
   connect(learner_, &ColorLearner::learningResultReady, this,
           [this](const setup::ClickLearningResult& lesson) {
@@ -110,7 +110,7 @@ void ColorPanel::connectLearner() {
             shownRadius_ = lesson.radius;
             isPart_ = lesson.part.has_value();
           });
-  connect(learner_, &ColorLearner::assessed, this, &ColorPanel::showAssessment);
+  connect(learner_, &ColorLearner::colorAssessed, this, &ColorPanel::showAssessment);
   assessSoon_->setSingleShot(true);
   assessSoon_->setInterval(kAssessMs);
   connect(assessSoon_, &QTimer::timeout, this, &ColorPanel::assessNow);
@@ -296,9 +296,9 @@ void ColorPanel::removeColor(int color) {
   });
 }
 
-void ColorPanel::setPanelVisible(bool inFront) {
-  inFront_ = inFront;
-  if (!inFront) {
+void ColorPanel::setPanelVisible(bool visible) {
+  inFront_ = visible;
+  if (!visible) {
     clearRegions();
     assessedFrame_ = -1;
   } else if (snapshot_) {

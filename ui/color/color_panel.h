@@ -44,7 +44,7 @@ public:
   /// The panel then waits for a click, and shows a hint about it, only if the user requested this.
   void setClicksUsedElsewhere(bool taken);
   /// Sets whether the panel is visible. Colors are assessed only while it is visible.
-  void setPanelVisible(bool inFront);
+  void setPanelVisible(bool visible);
   bool isPicking() const { return picking_; }
   /// Returns whether there is a target whose color is shown.
   bool hasTarget() const;

@@ -60,9 +60,9 @@ void ColorSampleList::setSamples(const Project& project, int target) {
       const QString name = cameraName(
           camera < project.cameras.size() ? project.cameras[camera].camera.name : std::string(),
           camera);
-      const QString text = sample.excluded ? tr("excluded: %1, frame %2, pixel %3, %4")
-                           : sample.found  ? tr("found: %1, frame %2, pixel %3, %4")
-                                           : tr("%1, frame %2, pixel %3, %4");
+      const QString text = sample.isExcluded          ? tr("excluded: %1, frame %2, pixel %3, %4")
+                           : sample.isFoundByGeometry ? tr("found: %1, frame %2, pixel %3, %4")
+                                                      : tr("%1, frame %2, pixel %3, %4");
       list_->addItem(text.arg(name)
                          .arg(sample.frame + 1)
                          .arg(std::lround(sample.x + sample.width / 2.0))

@@ -50,13 +50,13 @@ void BackwardTracker::start(const PositionCorrection& correction,
   std::erase_if(believed, [&](const TrajectorySample& one) { return one.frame > frame_; });
   job_.start([this, open = bench_.session.opener(), project = bench_.document.project(), correction,
               mergeKey, believed = std::move(believed),
-              threads = threadCountForFilter(Preferences().threadCountForFilter())](
+              threads = threadCountForFilter(Preferences().filterThreadCount())](
                  const BackgroundJob::Progress& progress) -> std::function<void()> {
     auto found = open(project).and_then([&](const SessionInputs& inputs) {
-      return trackBackwards(
-          *inputs.source,
-          {RunDefinition::of(inputs.project, inputs.backgroundImages), correction, believed},
-          threads, progress);
+      return trackBackwards(*inputs.source,
+                            {RunDefinition::fromProject(inputs.project, inputs.backgroundImages),
+                             correction, believed},
+                            threads, progress);
     });
     if (!found) {
       return [this, error = found.error()] { bench_.messages.showError(errorText(error)); };

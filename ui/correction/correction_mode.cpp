@@ -34,7 +34,7 @@ CorrectionMode::CorrectionMode(const Workbench& bench, const CameraDocks& camera
   connect(&cameras, &CameraDocks::viewCreated, tool_, &CorrectionTool::attach);
   connect(tool_, &CorrectionTool::corrected, this, &CorrectionMode::storeCorrection);
   connect(tool_, &CorrectionTool::failed, &bench_.messages, &MessageBar::showError);
-  connect(tool_, &CorrectionTool::cancelled, this, &CorrectionMode::end);
+  connect(tool_, &CorrectionTool::canceled, this, &CorrectionMode::end);
   connect(&bench_.document, &Document::correctionsChanged, tool_, &CorrectionTool::refresh);
   connect(&bench_.document, &Document::targetsChanged, tool_, &CorrectionTool::refresh);
   connect(&bench_.selection, &Selection::targetSelected, tool_, &CorrectionTool::refresh);
@@ -46,7 +46,7 @@ CorrectionMode::CorrectionMode(const Workbench& bench, const CameraDocks& camera
 }
 
 std::vector<ImageMenuEntry> CorrectionMode::menuEntries(int camera, const QPointF& pixel) {
-  if (!bench_.session.isRunning() || !bench_.document.methodPresentation().searchesVolume) {
+  if (!bench_.session.isRunning() || !bench_.document.methodPresentation().limitsSearchToVolume) {
     return {};
   }
   return {
@@ -56,9 +56,10 @@ std::vector<ImageMenuEntry> CorrectionMode::menuEntries(int camera, const QPoint
 }
 
 void CorrectionMode::connectActions() {
-  bench_.requireRun(
-      {"actionCorrectPosition", "actionRemoveCorrection"},
-      [document = &bench_.document] { return document->methodPresentation().searchesVolume; });
+  bench_.requireRun({"actionCorrectPosition", "actionRemoveCorrection"},
+                    [document = &bench_.document] {
+                      return document->methodPresentation().limitsSearchToVolume;
+                    });
   bench_.onToggled("actionCorrectPosition", this, [this](bool active) { setActive(active); });
   bench_.onTriggered("actionRemoveCorrection", this, [this] {
     remove(bench_.selection.currentFrame(), bench_.selection.target());
@@ -74,7 +75,7 @@ void CorrectionMode::connectActions() {
   }
   connect(&bench_.session, &SessionController::runEnded, this, &CorrectionMode::end);
   connect(&bench_.document, &Document::methodChanged, this, [this] {
-    if (!bench_.document.methodPresentation().searchesVolume) {
+    if (!bench_.document.methodPresentation().limitsSearchToVolume) {
       end();
     }
   });
@@ -85,8 +86,8 @@ void CorrectionMode::end() {
 }
 
 void CorrectionMode::setActive(bool active) {
-  const bool can =
-      active && bench_.session.isRunning() && bench_.document.methodPresentation().searchesVolume;
+  const bool can = active && bench_.session.isRunning() &&
+                   bench_.document.methodPresentation().limitsSearchToVolume;
   if (can) {
     bench_.action("actionLearnColor")->setChecked(false);
     bench_.action("actionAddTarget")->setChecked(false);

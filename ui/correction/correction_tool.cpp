@@ -60,10 +60,10 @@ void CorrectionTool::attach(int camera, CameraView* view) {
   connect(overlay, &QObject::destroyed, this, [this, overlay] {
     std::erase_if(layers_, [overlay](const Layer& one) { return one.overlay == overlay; });
   });
-  connect(overlay, &ImagePickOverlay::cancelled, this, &CorrectionTool::cancelled);
+  connect(overlay, &ImagePickOverlay::canceled, this, &CorrectionTool::canceled);
   connect(overlay, &ImagePickOverlay::viewChosen, this,
           [this, camera] { bench_.selection.selectCamera(camera); });
-  connect(overlay, &ImagePickOverlay::grabbed, this,
+  connect(overlay, &ImagePickOverlay::pointGrabbed, this,
           [this, layer](const QPointF& pixel) { grab(layer, pixel); });
   connect(overlay, &ImagePickOverlay::pointMoved, this,
           [this, camera](const QPointF& pixel) { point(camera, pixel); });
@@ -114,7 +114,7 @@ std::optional<Gaussian3> CorrectionTool::estimateOf(const Drag& drag) const {
 int CorrectionTool::targetAt(const Layer& layer, const QPointF& pixel) const {
   const int count = static_cast<int>(bench_.document.project().targets.size());
   const double reach = kGrabReachPx / layer.view->placement().scale;
-  return snapshot_ ? targetNear(*snapshot_, count, layer.camera, {pixel.x(), pixel.y()}, reach)
+  return snapshot_ ? targetIndexNear(*snapshot_, count, layer.camera, {pixel.x(), pixel.y()}, reach)
                    : -1;
 }
 
@@ -145,8 +145,8 @@ void CorrectionTool::grab(const Layer& layer, const QPointF& pixel) {
 
 Result<PositionCorrection> CorrectionTool::correctionOf(const Drag& drag, int camera,
                                                         const QPointF& pixel) const {
-  return clickedCorrection(bench_.document.project(), *drag.snapshot->rig, drag.snapshot->frame,
-                           drag.target, clickAt(camera, pixel), estimateOf(drag));
+  return correctionFromClick(bench_.document.project(), *drag.snapshot->rig, drag.snapshot->frame,
+                             drag.target, clickAt(camera, pixel), estimateOf(drag));
 }
 
 void CorrectionTool::point(int camera, const QPointF& pixel) {

@@ -49,7 +49,7 @@ Q_SIGNALS:
   void corrected(const dewpoint::project::PositionCorrection& correction);
   /// Emitted with the reason why the correction was not possible.
   void failed(const QString& sentence);
-  void cancelled();
+  void canceled();
 
 private:
   struct Layer {

@@ -9,7 +9,7 @@ namespace dewpoint::ui {
 
 CameraListModel::CameraListModel(const Document& document, QObject* parent)
     : NameListModel(parent), document_(document) {
-  connect(&document_, &Document::replaced, this, &CameraListModel::refresh);
+  connect(&document_, &Document::projectReplaced, this, &CameraListModel::refresh);
   connect(&document_, &Document::changed, this, &CameraListModel::refresh);
   refresh();
 }

@@ -50,7 +50,7 @@ void Document::replaceProject(Project project, bool unsaved) {
   defaultParameters_ = setup::defaultParameters(*project_);
   unsaved_ = unsaved;
   undoStack_->clear();
-  Q_EMIT replaced();
+  Q_EMIT projectReplaced();
 }
 
 bool Document::isUnsaved() const {
@@ -64,7 +64,7 @@ Status Document::edit(const QString& name, const std::function<void(Project&)>& 
   if (auto good = checkProject(*after); !good) {
     return good;
   }
-  if (changesBetween(*project_, *after).any()) {
+  if (changesBetween(*project_, *after).hasAny()) {
     const std::string key = mergeKey.empty() ? mergeKey : mergeKey + mergeSuffix_;
     undoStack_->push(new EditCommand(*this, name, project_, std::move(after), key));
   }
@@ -90,26 +90,27 @@ void Document::endStepMerging() {
 void Document::assign(const std::shared_ptr<const Project>& state) {
   const std::shared_ptr<const Project> before = project_;
   project_ = state;
-  if (state->file != before->file || state->layout != before->layout) {
+  if (state->file != before->file || state->windowLayout != before->windowLayout) {
     // Neither belongs to the history.
     auto adjusted = std::make_shared<Project>(*state);
     adjusted->file = before->file;
-    adjusted->layout = before->layout;
+    adjusted->windowLayout = before->windowLayout;
     project_ = std::move(adjusted);
   }
   emitChanges(changesBetween(*before, *project_));
 }
 
 void Document::emitChanges(const ProjectChanges& changes) {
-  const bool mayDiffer = changes.method || changes.parameters || changes.calibration ||
-                         changes.sources || changes.volume;
+  const bool mayDiffer = changes.methodChanged || changes.parametersChanged ||
+                         changes.calibrationChanged || changes.sourcesChanged ||
+                         changes.volumeChanged;
   const ParameterValues now = mayDiffer ? effectiveParameters(*project_) : usedParameters_;
   const ParameterValues before = std::exchange(usedParameters_, now);
   if (mayDiffer) {
     defaultParameters_ = setup::defaultParameters(*project_);
   }
   Q_EMIT changed(changes);
-  if (changes.method) {
+  if (changes.methodChanged) {
     Q_EMIT methodChanged();
   } else {
     for (const auto& declaration : now.declarations()) {
@@ -119,25 +120,25 @@ void Document::emitChanges(const ProjectChanges& changes) {
       }
     }
   }
-  if (changes.targets) {
+  if (changes.targetsChanged) {
     Q_EMIT targetsChanged();
   }
-  if (changes.calibration) {
+  if (changes.calibrationChanged) {
     Q_EMIT calibrationChanged();
   }
-  if (changes.backgroundImages) {
+  if (changes.backgroundImagesChanged) {
     Q_EMIT backgroundImagesChanged();
   }
-  if (changes.volume) {
+  if (changes.volumeChanged) {
     Q_EMIT volumeChanged();
   }
-  if (changes.people) {
+  if (changes.personCorrectionsChanged) {
     Q_EMIT personCorrectionsChanged();
   }
-  if (changes.corrections) {
+  if (changes.correctionsChanged) {
     Q_EMIT correctionsChanged();
   }
-  if (changes.sources) {
+  if (changes.sourcesChanged) {
     Q_EMIT sourcesChanged();
   }
 }
@@ -147,7 +148,7 @@ Status Document::setParameter(const std::string& key, double value) {
   if (!parameters.isGiven(key)) {
     // The others stay as the cameras gave them, and as they are shown.
     parameters = usedParameters_;
-    parameters.markAllGiven();
+    parameters.markAllAsGiven();
   }
   if (auto status = parameters.set(key, value); !status) {
     return status;
@@ -157,7 +158,7 @@ Status Document::setParameter(const std::string& key, double value) {
       [&](Project& project) { project.parameters = parameters; }, "parameter " + key);
 }
 
-bool Document::isChanged(const ParameterDeclaration& declaration) const {
+bool Document::isParameterChanged(const ParameterDeclaration& declaration) const {
   return setup::isChanged(usedParameters_, defaultParameters_, declaration);
 }
 
@@ -184,9 +185,9 @@ void Document::setMethod(const std::string& method) {
 }
 
 void Document::setLayout(const std::string& layout) {
-  if (layout != project_->layout) {
+  if (layout != project_->windowLayout) {
     auto changed = std::make_shared<Project>(*project_);
-    changed->layout = layout;
+    changed->windowLayout = layout;
     project_ = std::move(changed);
   }
 }
@@ -196,7 +197,7 @@ void Document::markSaved(const Project& state, const std::filesystem::path& file
   saved->file = file;
   project_ = std::move(saved);
   unsaved_ = false;
-  if (changesBetween(state, *project_).any()) {
+  if (changesBetween(state, *project_).hasAny()) {
     undoStack_->resetClean();
   } else {
     undoStack_->setClean();

@@ -42,9 +42,9 @@ public:
   const ParameterValues& defaultParameters() const { return defaultParameters_; }
   /// Returns whether the current value of a declared parameter differs from its default
   /// (`setup::isChanged()`).
-  bool isChanged(const ParameterDeclaration& declaration) const;
+  bool isParameterChanged(const ParameterDeclaration& declaration) const;
   /// Returns the window options for the current method. They can change whenever `methodChanged()`
-  /// or `replaced()` is emitted.
+  /// or `projectReplaced()` is emitted.
   const MethodPresentation& methodPresentation() const;
   /// Returns the properties of the family (the methods of the same kind) of the project's method.
   MethodFamily methodFamily() const;
@@ -94,7 +94,7 @@ public:
 
 Q_SIGNALS:
   /// Emitted when another project has replaced the previous one.
-  void replaced();
+  void projectReplaced();
   /// Emitted after an edit, an undo or a redo. The more specific signals follow.
   void changed(const dewpoint::project::ProjectChanges& changes);
   void parameterChanged(const QString& key);

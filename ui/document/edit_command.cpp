@@ -26,7 +26,7 @@ bool EditCommand::mergeWith(const QUndoCommand* other) {
   }
   after_ = next->after_;
   setText(next->text()); // it may say how much all of them are together
-  setObsolete(!changesBetween(*before_, *after_).any()); // dragged there and back
+  setObsolete(!changesBetween(*before_, *after_).hasAny()); // dragged there and back
   return true;
 }
 

@@ -14,8 +14,8 @@ constexpr MethodPresentation kBoxes{.targetsAreBoxes = true,
                                     .resultsAreBoxes = true,
                                     .hasBirdsEyeView = false,
                                     .hasOverlays = false,
-                                    .searchesVolume = false};
-constexpr MethodPresentation kPeople{.searchesVolume = false, .listsPeople = true};
+                                    .limitsSearchToVolume = false};
+constexpr MethodPresentation kPeople{.limitsSearchToVolume = false, .listsPeople = true};
 
 const MethodPresentation& presentationOf(TargetSource targets) {
   switch (targets) {

@@ -23,7 +23,7 @@ struct MethodPresentation {
   bool hasOverlays = true;      ///< masks and likelihood maps can be drawn over the images
   /// True if the method limits its search to the project's volume of interest, if there is one, and
   /// also continues from a position that the user sets for a target.
-  bool searchesVolume = true;
+  bool limitsSearchToVolume = true;
   bool listsPeople = false; ///< lists people and shows how many are present
 };
 

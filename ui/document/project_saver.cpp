@@ -13,7 +13,7 @@ namespace dewpoint::ui {
 ProjectSaver::ProjectSaver(Document& document, QObject* parent, ProjectWriter write)
     : QObject(parent), document_(document),
       write_(write ? std::move(write) : ProjectWriter(&saveProject)) {
-  connect(&document_, &Document::replaced, this, [this] { ++projectCount_; });
+  connect(&document_, &Document::projectReplaced, this, [this] { ++projectCount_; });
 }
 
 void ProjectSaver::save(const std::filesystem::path& file) {

@@ -35,7 +35,7 @@ Recovery::Recovery(Document& document, std::filesystem::path folder, QObject* pa
   timer_.setInterval(kDelayMs);
   connect(&timer_, &QTimer::timeout, this, &Recovery::write);
   connect(&document_, &Document::changed, this, &Recovery::schedule);
-  connect(&document_, &Document::replaced, this, [this] {
+  connect(&document_, &Document::projectReplaced, this, [this] {
     removeOwnBackup();
     if (document_.isUnsaved()) {
       schedule();
@@ -91,7 +91,7 @@ void Recovery::write() {
       lastFailure_ = failure;
       if (failure.isEmpty()) {
         removeTakenOver();
-        Q_EMIT backedUp();
+        Q_EMIT backupWritten();
       }
     });
   });
@@ -131,8 +131,8 @@ void Recovery::discard(const RecoverableWork& work) {
   runInFolder([work](RecoveryFolder&) { RecoveryFolder::discard(work); });
 }
 
-void Recovery::restore(const RecoverableWork& work) {
-  runInFolder([work](RecoveryFolder&) { RecoveryFolder::restore(work); });
+void Recovery::undoDiscard(const RecoverableWork& work) {
+  runInFolder([work](RecoveryFolder&) { RecoveryFolder::undoDiscard(work); });
 }
 
 } // namespace dewpoint::ui

@@ -41,9 +41,9 @@ public:
   /// discarded.
   void adoptBackup(const RecoverableWork& work) { takenOver_.push_back(work); }
   /// Discards a copy of unsaved work: it is no longer offered to the user, and it is deleted after
-  /// a week. `restore()` undoes the discarding.
+  /// a week. `undoDiscard()` undoes this.
   void discard(const RecoverableWork& work);
-  void restore(const RecoverableWork& work);
+  void undoDiscard(const RecoverableWork& work);
   /// Removes this window's copy of unsaved work, and the copies that were recovered in this window.
   /// Call this when the work was saved or discarded.
   void removeBackup();
@@ -55,7 +55,7 @@ Q_SIGNALS:
   /// changes to the document.
   void backupStarting();
   /// Emitted when a copy of the unsaved work is safely on the disk.
-  void backedUp();
+  void backupWritten();
   /// Emitted with the reason when the copy of the unsaved work cannot be written. Each reason is
   /// reported once.
   void failed(const QString& sentence);

@@ -123,25 +123,25 @@ std::vector<RecoverableWork> RecoveryFolder::orphanedBackups() const {
 }
 
 Result<Project> RecoveryFolder::readBackup(const RecoverableWork& work) {
-  auto project = loadProject(work.file);
+  auto project = loadProject(work.backupFile);
   if (project) {
-    project->file = readTextFile(originOf(work.file)).value_or(std::string());
+    project->file = readTextFile(originOf(work.backupFile)).value_or(std::string());
   }
   return project;
 }
 
 void RecoveryFolder::discard(const RecoverableWork& work) {
-  moveFile(work.file, asideOf(work.file));
+  moveFile(work.backupFile, asideOf(work.backupFile));
 }
 
-void RecoveryFolder::restore(const RecoverableWork& work) {
-  moveFile(asideOf(work.file), work.file);
+void RecoveryFolder::undoDiscard(const RecoverableWork& work) {
+  moveFile(asideOf(work.backupFile), work.backupFile);
 }
 
 void RecoveryFolder::remove(const RecoverableWork& work) {
-  removeFile(work.file);
-  removeFile(originOf(work.file));
-  removeFile(std::filesystem::path(work.file).replace_extension(kLock.toStdString()));
+  removeFile(work.backupFile);
+  removeFile(originOf(work.backupFile));
+  removeFile(std::filesystem::path(work.backupFile).replace_extension(kLock.toStdString()));
 }
 
 } // namespace dewpoint::ui

@@ -18,9 +18,9 @@ namespace dewpoint::ui {
 
 /// Unsaved work of a window that was not closed properly.
 struct RecoverableWork {
-  std::filesystem::path file; ///< file with the copy, a complete project
-  QString name;               ///< project name
-  QString backupTimeText;     ///< time of the last write, formatted for display
+  std::filesystem::path backupFile; ///< file with the copy, a complete project
+  QString projectName;
+  QString backupTimeText; ///< time of the last write, formatted for display
 };
 
 /// Function that writes text to a file, like `writeTextFile()`.
@@ -43,9 +43,9 @@ public:
   /// originally loaded.
   static Result<Project> readBackup(const RecoverableWork& work);
   /// Discards a copy of unsaved work: it is no longer offered to the user, and it is deleted after
-  /// a week. `restore()` undoes the discarding.
+  /// a week. `undoDiscard()` undoes this.
   static void discard(const RecoverableWork& work);
-  static void restore(const RecoverableWork& work);
+  static void undoDiscard(const RecoverableWork& work);
   static void remove(const RecoverableWork& work);
 
   /// Writes `project`, which was loaded from `project.file`, to the copy of this window's unsaved

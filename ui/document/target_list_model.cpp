@@ -15,7 +15,7 @@ namespace dewpoint::ui {
 
 TargetListModel::TargetListModel(const Document& document, QObject* parent)
     : NameListModel(parent), document_(document) {
-  connect(&document_, &Document::replaced, this, &TargetListModel::refresh);
+  connect(&document_, &Document::projectReplaced, this, &TargetListModel::refresh);
   connect(&document_, &Document::changed, this, &TargetListModel::refresh);
   refresh();
 }
@@ -24,7 +24,7 @@ QVariant TargetListModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::DecorationRole && checkIndex(index, CheckIndexOption::IndexIsValid)) {
     const auto& colors = isDarkPalette(QGuiApplication::palette()) ? onDark_ : onLight_;
     const auto target = static_cast<std::size_t>(index.row());
-    return target < colors.size() ? colorChip(colors[target], 14) : QVariant();
+    return target < colors.size() ? makeColorChip(colors[target], 14) : QVariant();
   }
   return NameListModel::data(index, role);
 }

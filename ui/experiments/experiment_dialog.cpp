@@ -58,9 +58,9 @@ ExperimentDialog::ExperimentDialog(QWidget* parent)
     progress_->setRange(0, part < 0.0 ? 0 : 1000);
     progress_->setValue(static_cast<int>(part * progress_->maximum()));
   });
-  connect(job_, &BackgroundJob::ended, this, [this](bool cancelled) {
+  connect(job_, &BackgroundJob::ended, this, [this](bool canceled) {
     showRunning(false);
-    if (cancelled) {
+    if (canceled) {
       state_->setText(tr("Canceled."));
     }
   });
@@ -209,7 +209,7 @@ const FigureExperiment& ExperimentDialog::chosen() const {
 
 void ExperimentDialog::showChosen() {
   description_->setText(words(chosen().description));
-  runs_->setValue(chosen().runs);
+  runs_->setValue(chosen().runCount);
   clothesLabel_->setVisible(chosen().hasClothesOption);
   clothes_->setVisible(chosen().hasClothesOption);
   for (QWidget* part :
@@ -230,13 +230,13 @@ void ExperimentDialog::chooseFolder(QLineEdit* into, const QString& title) {
 
 void ExperimentDialog::run() {
   ExperimentOptions options;
-  options.folder = folder_->text().trimmed().toStdString();
-  options.runs = runs_->value();
+  options.outputFolder = folder_->text().trimmed().toStdString();
+  options.runCount = runs_->value();
   options.clothes = static_cast<StudyClothes>(clothes_->currentIndex());
   if (chosen().usesRecordings) {
-    options.recordings = recordings_->text().trimmed().toStdString();
+    options.recordingsFolder = recordings_->text().trimmed().toStdString();
   }
-  if (options.folder.empty()) {
+  if (options.outputFolder.empty()) {
     state_->setText(tr("Choose the folder for the report first."));
     return;
   }
@@ -248,7 +248,7 @@ void ExperimentDialog::run() {
         const Status made = experiment.run(watched);
         return std::function<void()>([this, options, made, &experiment] {
           if (made) {
-            finish(QString::fromStdString((options.folder / experiment.report).string()));
+            finish(QString::fromStdString((options.outputFolder / experiment.reportFile).string()));
           } else {
             state_->setText(errorText(made.error()));
             Q_EMIT failed(errorText(made.error()));

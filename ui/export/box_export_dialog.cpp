@@ -169,7 +169,7 @@ void BoxExportDialog::start() {
       const QString place = QString::fromStdString(folder.string());
       if (written) {
         Q_EMIT fileWritten(QDir(place).filePath(QStringLiteral("boxes.csv")));
-        Q_EMIT done(tr("Saved boxes.csv and boxes_mot.txt in %1.").arg(place));
+        Q_EMIT completed(tr("Saved boxes.csv and boxes_mot.txt in %1.").arg(place));
       } else {
         Q_EMIT failed(errorText(written.error()));
       }

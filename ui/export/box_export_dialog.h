@@ -33,7 +33,7 @@ public:
   void resetFolder(const QString& folder);
 
 Q_SIGNALS:
-  void done(const QString& sentence);
+  void completed(const QString& sentence);
   void failed(const QString& sentence);
   /// Emitted when both files were written, with the path of one of them.
   void fileWritten(const QString& file);

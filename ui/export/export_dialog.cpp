@@ -101,7 +101,7 @@ void ExportDialog::retranslateUi() {
 }
 
 void ExportDialog::connectFields() {
-  connect(preview_, &PreviewPane::previewTakingLong, cancel_, &QWidget::show);
+  connect(preview_, &PreviewPane::previewTakesLong, cancel_, &QWidget::show);
   connect(preview_, &PreviewPane::previewEnded, this, [this] { cancel_->setVisible(running_); });
   connect(form_, &ExportForm::formatChanged, this, &ExportDialog::formatChanged);
   connect(form_, &ExportForm::changed, this, &ExportDialog::changed);
@@ -126,7 +126,7 @@ void ExportDialog::reportDone(const QString& sentence, const QString& file) {
   if (!file.isEmpty()) {
     Q_EMIT fileWritten(file);
   }
-  Q_EMIT done(sentence);
+  Q_EMIT completed(sentence);
 }
 
 void ExportDialog::reportFailed(const QString& sentence) {
@@ -136,8 +136,8 @@ void ExportDialog::reportFailed(const QString& sentence) {
   Q_EMIT failed(sentence);
 }
 
-void ExportDialog::setResultsOutdated(bool has) {
-  preview_->setResultsOutdated(has);
+void ExportDialog::setResultsOutdated(bool outdated) {
+  preview_->setResultsOutdated(outdated);
 }
 
 void ExportDialog::updatePreview() {
@@ -255,7 +255,7 @@ void ExportDialog::withdrawQuestion() {
 
 void ExportDialog::start() {
   ExportOptions chosen = form_->options();
-  chosen.overwrite = mayReplace_;
+  chosen.replacesExisting = mayReplace_;
   withdrawQuestion();
   startedAt_ = questions_;
   trajectory_ = std::make_shared<const Trajectory>(trajectorySource_()); // with what came since
@@ -302,7 +302,7 @@ void ExportDialog::showFinished(const ExportSummary& summary) {
     }
     return;
   }
-  if (summary.canceled) {
+  if (summary.isCanceled) {
     reportDone(tr("The export was canceled."));
     return;
   }

@@ -41,7 +41,7 @@ public:
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
   /// Sets whether part of the run has results from earlier settings. If so, the preview shows a
   /// warning.
-  void setResultsOutdated(bool has);
+  void setResultsOutdated(bool outdated);
   /// Proposes a file, without its suffix, unless the user has entered another one.
   void proposeFile(const QString& file);
   /// Resets all choices for another project, and proposes a file.
@@ -50,7 +50,7 @@ public:
 Q_SIGNALS:
   /// Emitted with the result of an export. While the dialog is visible, the dialog also shows this
   /// result.
-  void done(const QString& sentence);
+  void completed(const QString& sentence);
   void failed(const QString& sentence);
   /// Emitted when an export has written this file.
   void fileWritten(const QString& file);

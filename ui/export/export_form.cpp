@@ -46,7 +46,7 @@ ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
   rate_ = makeDecimalField("exportRate", 0.0, kMostRate, 3, this);
   gaps_ = named(new QComboBox(this), "exportGaps");
   longestGap_ = makeDecimalField("exportLongestGap", 0.01, kMostGap, 2, this);
-  longestGap_->setValue(ExportOptions().longestGap);
+  longestGap_->setValue(ExportOptions().maxFilledGapSeconds);
   axes_ = named(new QComboBox(this), "exportAxes");
   unit_ = named(new QComboBox(this), "exportUnit");
   notes_ = named(new QCheckBox(this), "exportHeader");
@@ -220,16 +220,16 @@ ExportOptions ExportForm::options() const {
     }
   }
   if (from_->value() >= 0.0) {
-    options.from = RangeBound{from_->value(), false};
+    options.rangeBegin = RangeBound{from_->value(), false};
   }
   if (to_->value() >= 0.0) {
-    options.to = RangeBound{to_->value(), false};
+    options.rangeEnd = RangeBound{to_->value(), false};
   }
   if (rate_->value() > 0.0) {
     options.rowsPerSecond = rate_->value();
   }
   options.gapRule = gaps_->currentIndex() == 1 ? GapRule::Fill : GapRule::LeaveEmpty;
-  options.longestGap = longestGap_->value();
+  options.maxFilledGapSeconds = longestGap_->value();
   if (axes_->currentIndex() > 0) {
     options.axes = axes_->currentIndex() == 1 ? WorldAxes::ZUp : WorldAxes::YUp;
   }
@@ -237,8 +237,8 @@ ExportOptions ExportForm::options() const {
     options.unit = unit_->currentIndex() == 1 ? LengthUnit::Meter : LengthUnit::Millimeter;
   }
   options.writesHeader = notes_->isChecked();
-  options.smooth = estimates_->currentIndex() == 1;
-  options.date = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+  options.usesSmoothedEstimates = estimates_->currentIndex() == 1;
+  options.exportDate = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
   return options;
 }
 
@@ -266,7 +266,7 @@ void ExportForm::resetChoices() {
   for (QDoubleSpinBox* spin : {from_, to_, rate_}) {
     spin->setValue(spin->minimum());
   }
-  longestGap_->setValue(ExportOptions().longestGap);
+  longestGap_->setValue(ExportOptions().maxFilledGapSeconds);
   for (QComboBox* box : {estimates_, gaps_, axes_, unit_}) {
     box->setCurrentIndex(0);
   }

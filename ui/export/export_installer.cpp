@@ -24,11 +24,12 @@ namespace {
 /// Tells in the window how exports went whose dialog was closed; one that is shown says it itself.
 void connectMessages(const Workbench& bench, ExportDialog* dialog) {
   MessageBar* messages = &bench.messages;
-  QObject::connect(dialog, &ExportDialog::done, messages, [dialog, messages](const QString& text) {
-    if (!dialog->isVisible()) {
-      messages->showNotice(text);
-    }
-  });
+  QObject::connect(dialog, &ExportDialog::completed, messages,
+                   [dialog, messages](const QString& text) {
+                     if (!dialog->isVisible()) {
+                       messages->showNotice(text);
+                     }
+                   });
   QObject::connect(dialog, &ExportDialog::failed, messages,
                    [dialog, messages](const QString& text) {
                      if (!dialog->isVisible()) {
@@ -38,7 +39,7 @@ void connectMessages(const Workbench& bench, ExportDialog* dialog) {
 }
 
 void connectMessages(const Workbench& bench, BoxExportDialog* dialog) {
-  QObject::connect(dialog, &BoxExportDialog::done, &bench.messages, &MessageBar::showNotice);
+  QObject::connect(dialog, &BoxExportDialog::completed, &bench.messages, &MessageBar::showNotice);
   QObject::connect(dialog, &BoxExportDialog::failed, &bench.messages, &MessageBar::showError);
 }
 
@@ -56,7 +57,7 @@ void exportBoxes(const Workbench& bench) {
     dialog = new BoxExportDialog(boxes, &bench.window);
     connectMessages(bench, dialog);
     const auto reset = [dialog, destination] { dialog->resetFolder(destination->folder()); };
-    QObject::connect(&bench.document, &Document::replaced, dialog, reset);
+    QObject::connect(&bench.document, &Document::projectReplaced, dialog, reset);
     QObject::connect(dialog, &BoxExportDialog::fileWritten, destination,
                      &ExportDestination::rememberFolder);
     reset();
@@ -77,12 +78,12 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
     const auto resetChoices = [dialog, destination] {
       dialog->resetChoices(trajectoryFile(*destination));
     };
-    QObject::connect(&bench.document, &Document::replaced, dialog, resetChoices);
+    QObject::connect(&bench.document, &Document::projectReplaced, dialog, resetChoices);
     QObject::connect(dialog, &ExportDialog::fileWritten, destination,
                      &ExportDestination::rememberFolder);
     resetChoices();
     const auto sayOld = [dialog, results = &bench.session.resultRefresher()] {
-      dialog->setResultsOutdated(!results->oldResults().frames.empty());
+      dialog->setResultsOutdated(!results->oldResults().frameRanges.empty());
     };
     QObject::connect(&bench.session.resultRefresher(), &ResultRefresher::oldResultsChanged, dialog,
                      sayOld);

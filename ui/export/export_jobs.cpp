@@ -17,7 +17,7 @@ int percentOf(double part) {
 } // namespace
 
 ExportJobs::ExportJobs(QObject* parent)
-    : QObject(parent), cancelled_(std::make_shared<std::atomic<bool>>(false)) {
+    : QObject(parent), canceled_(std::make_shared<std::atomic<bool>>(false)) {
   connect(&preview_, &LatestJob::progressChanged, this,
           [this](double part) { Q_EMIT previewProgressChanged(percentOf(part)); });
   connect(&export_, &BackgroundJob::progressChanged, this,
@@ -48,23 +48,23 @@ void ExportJobs::checkFileExists(const std::filesystem::path& file,
 
 void ExportJobs::run(TrajectoryPtr trajectory, const ExportOptions& options,
                      const std::filesystem::path& file) {
-  cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  canceled_ = std::make_shared<std::atomic<bool>>(false);
   stopPreview(); // it makes room
   export_.start([this, trajectory = std::move(trajectory), options, file,
-                 cancelled = cancelled_](const BackgroundJob::Progress& progress) {
-    const auto goesOn = [&](double part) { return progress(part) && !*cancelled; };
+                 canceled = canceled_](const BackgroundJob::Progress& progress) {
+    const auto goesOn = [&](double part) { return progress(part) && !*canceled; };
     std::error_code ignored;
     ExportSummary occupied; // known before the work is done
     occupied.existingFile = file;
-    const auto summary = !options.overwrite && std::filesystem::exists(file, ignored)
+    const auto summary = !options.replacesExisting && std::filesystem::exists(file, ignored)
                              ? Result<ExportSummary>(occupied)
                              : exportTrajectory(*trajectory, options, file, goesOn);
-    return std::function<void()>([this, summary, cancelled] {
+    return std::function<void()>([this, summary, canceled] {
       if (!summary) {
         Q_EMIT failed(errorText(summary.error()));
-      } else if (!summary->existingFile.empty() && *cancelled) { // who canceled is not asked
+      } else if (!summary->existingFile.empty() && *canceled) { // who canceled is not asked
         ExportSummary stopped;
-        stopped.canceled = true;
+        stopped.isCanceled = true;
         Q_EMIT finished(stopped);
       } else {
         Q_EMIT finished(*summary);
@@ -74,7 +74,7 @@ void ExportJobs::run(TrajectoryPtr trajectory, const ExportOptions& options,
 }
 
 void ExportJobs::run(std::function<Status()> task, const std::filesystem::path& file) {
-  cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  canceled_ = std::make_shared<std::atomic<bool>>(false);
   export_.start([this, task = std::move(task), file](const BackgroundJob::Progress&) {
     const Status status = task();
     return std::function<void()>([this, status, file] {

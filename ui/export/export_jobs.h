@@ -31,7 +31,7 @@ public:
   void run(std::function<Status()> task, const std::filesystem::path& file);
   /// Calls `report` with whether a file exists. Only the newest request is answered.
   void checkFileExists(const std::filesystem::path& file, std::function<void(bool exists)> report);
-  void cancel() { *cancelled_ = true; }
+  void cancel() { *canceled_ = true; }
   /// Cancels a preview that is waiting or in progress.
   void stopPreview() { preview_.cancel(); }
 
@@ -49,7 +49,7 @@ private:
   LatestJob finding_{LatestJob::SupersededJob::Dropped};
   BackgroundJob export_;
   /// Separate from the job's cancel flag, so that the result of a canceled export is also reported.
-  std::shared_ptr<std::atomic<bool>> cancelled_;
+  std::shared_ptr<std::atomic<bool>> canceled_;
 };
 
 } // namespace dewpoint::ui

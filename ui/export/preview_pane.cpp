@@ -53,7 +53,7 @@ PreviewPane::PreviewPane(ExportJobs& jobs, std::function<void()> order, QWidget*
     longTimer_->start();
     order();
   });
-  connect(longTimer_, &QTimer::timeout, this, &PreviewPane::previewTakingLong);
+  connect(longTimer_, &QTimer::timeout, this, &PreviewPane::previewTakesLong);
   connectJobs();
 }
 
@@ -80,8 +80,8 @@ void PreviewPane::retranslateUi() {
   old_->setText(tr("Some of these results were tracked with earlier settings."));
 }
 
-void PreviewPane::setResultsOutdated(bool has) {
-  old_->setVisible(has);
+void PreviewPane::setResultsOutdated(bool outdated) {
+  old_->setVisible(outdated);
 }
 
 void PreviewPane::requestPreview() {

@@ -36,12 +36,12 @@ public:
   /// Drops a pending request for a preview. A preview in progress continues.
   void cancelPendingRequest();
   /// Sets whether part of the run has results from earlier settings. If so, the pane shows a note.
-  void setResultsOutdated(bool has);
+  void setResultsOutdated(bool outdated);
   void retranslateUi();
 
 Q_SIGNALS:
   /// Emitted when a preview takes long, so that the user can be offered a way to stop it.
-  void previewTakingLong();
+  void previewTakesLong();
   /// Emitted when no preview is in progress anymore.
   void previewEnded();
 

@@ -41,9 +41,9 @@ QPolygonF polygon(const std::vector<Eigen::Vector2d>& points) {
 
 void drawLabel(QPainter& painter, const FigureDrawing::Label& label) {
   using Align = FigureDrawing::Align;
-  const int across = label.align == Align::Left    ? Qt::AlignLeft
-                     : label.align == Align::Right ? Qt::AlignRight
-                                                   : Qt::AlignHCenter;
+  const int across = label.alignment == Align::Left    ? Qt::AlignLeft
+                     : label.alignment == Align::Right ? Qt::AlignRight
+                                                       : Qt::AlignHCenter;
   const int down = label.isCentered ? Qt::AlignVCenter : Qt::AlignTop;
   painter.setPen(kInk);
   painter.drawText(rectangle(label.box), across | down | Qt::TextDontClip,
@@ -53,12 +53,12 @@ void drawLabel(QPainter& painter, const FigureDrawing::Label& label) {
 void drawCurve(QPainter& painter, const FigureDrawing::Curve& curve, const QColor& color) {
   painter.save();
   painter.setClipRect(rectangle(curve.clipRectangle));
-  if (!curve.band.empty()) {
+  if (!curve.uncertaintyBand.empty()) {
     QColor veil = color;
     veil.setAlphaF(0.2F);
     painter.setPen(Qt::NoPen);
     painter.setBrush(veil);
-    painter.drawPolygon(polygon(curve.band));
+    painter.drawPolygon(polygon(curve.uncertaintyBand));
   }
   QPainterPath path;
   path.addPolygon(polygon(curve.path));
@@ -103,7 +103,7 @@ void drawTrajectoryFigure(QPainter& painter, const QRectF& page, const ExportTab
   QFont font(QStringLiteral("sans-serif"));
   font.setPixelSize(static_cast<int>(FigureDrawing::kFontSize));
   painter.setFont(font);
-  const FigureDrawing drawing = figureDrawing(table, texts);
+  const FigureDrawing drawing = layOutFigure(table, texts);
   for (const FigureDrawing::Item& item : drawing.items) {
     drawItem(painter, table, item);
   }

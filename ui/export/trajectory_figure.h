@@ -12,7 +12,7 @@ class QRectF;
 
 namespace dewpoint::ui {
 
-/// Draws the figure of a trajectory (`figureDrawing()`) into a rectangle of a page, in the target
+/// Draws the figure of a trajectory (`layOutFigure()`) into a rectangle of a page, in the target
 /// colors, dark on white.
 void drawTrajectoryFigure(QPainter& painter, const QRectF& page, const ExportTable& table,
                           const FigureTexts& texts);

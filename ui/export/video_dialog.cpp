@@ -217,18 +217,18 @@ Result<VideoRequest> VideoDialog::request(const VideoSources& offer) const {
     return failure(ErrorCode::BadValue, "", tr("Views").toStdString(),
                    tr("no view is checked").toStdString());
   }
-  look.recording = offer.recording;
+  look.recordingName = offer.recordingName;
   const auto from = form_->startSeconds();
   const auto to = form_->endSeconds();
   std::vector<FrameTime> frames = offer.frames ? offer.frames() : std::vector<FrameTime>();
   std::erase_if(frames, [&](const FrameTime& one) {
-    const bool isBefore = from && one.seconds < *from - kTimeTolerance;
-    const bool isAfter = to ? one.seconds > *to + kTimeTolerance
+    const bool isBefore = from && one.timeSeconds < *from - kTimeTolerance;
+    const bool isAfter = to ? one.timeSeconds > *to + kTimeTolerance
                             : offer.lastTrackedFrame >= 0 && one.frame > offer.lastTrackedFrame;
     return isBefore || isAfter;
   });
   const VideoTiming timing = form_->timing(offer.framesPerSecond);
-  auto shown = videoFrames(frames, timing);
+  auto shown = chooseVideoFrames(frames, timing);
   if (!shown) {
     return tl::make_unexpected(shown.error());
   }
@@ -238,7 +238,7 @@ Result<VideoRequest> VideoDialog::request(const VideoSources& offer) const {
   wanted.encoding = form_->encoding().value_or(VideoEncoding());
   wanted.framesPerSecond = timing.framesPerSecond;
   wanted.file = file_->text().toStdString();
-  wanted.overwrite = mayReplace_;
+  wanted.replacesFile = mayReplace_;
   return wanted;
 }
 

@@ -31,7 +31,7 @@ struct VideoSources {
   Session* session = nullptr;   ///< null if no run is open
   std::vector<VideoView> views; ///< the views, as the window shows them
   const BirdsEyeView* birdsEyeView = nullptr;
-  QString recording; ///< name of the recording
+  QString recordingName; ///< name of the recording
   /// Returns all frames that can be shown, in increasing order; may be empty.
   std::function<std::vector<FrameTime>()> frames;
   std::int64_t lastTrackedFrame = -1; ///< last tracked frame of the run; -1 if there is none

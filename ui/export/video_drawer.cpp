@@ -40,8 +40,8 @@ void VideoDrawer::beginVideo(Session* session, std::shared_ptr<const VideoLayout
     return;
   }
   sceneArea_ = static_cast<int>(found - views.begin());
-  scene_.copyLook(*scene, found->options.volume,
-                  videoViewAreas(*look_)[static_cast<std::size_t>(sceneArea_)].size());
+  scene_.copyAppearance(*scene, found->options.volume,
+                        videoViewAreas(*look_)[static_cast<std::size_t>(sceneArea_)].size());
 }
 
 void VideoDrawer::stop() {

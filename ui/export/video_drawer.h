@@ -46,10 +46,10 @@ public:
   bool isReady() const { return !fetching_; }
   /// Returns whether the bird's-eye view is drawn in a smaller size because this computer draws it
   /// slowly.
-  bool isSceneResolutionReduced() const { return sceneArea_ >= 0 && scene_.isReduced(); }
+  bool isSceneResolutionReduced() const { return sceneArea_ >= 0 && scene_.isSizeReduced(); }
   /// Runs other work in the thread in which images are processed, after all images requested so
   /// far.
-  void queue(JobQueue::Work work) { jobs_.add(std::move(work)); }
+  void enqueue(JobQueue::Work work) { jobs_.add(std::move(work)); }
 
 Q_SIGNALS:
   /// Emitted when the next image can be requested.

@@ -27,8 +27,8 @@ VideoExporter::VideoExporter(QObject* parent) : QObject(parent), drawer_(new Vid
 
 VideoExporter::~VideoExporter() {
   if (state_) {
-    state_->canceled = true;
-    drawer_->queue([state = std::move(state_)]() -> std::function<void()> {
+    state_->isCanceled = true;
+    drawer_->enqueue([state = std::move(state_)]() -> std::function<void()> {
       state->encoder.reset(); // in that thread: to end an encoder takes a while
       return {};
     });
@@ -49,10 +49,10 @@ void VideoExporter::start(VideoRequest request, Session* session, const BirdsEye
 }
 
 void VideoExporter::open() {
-  drawer_->queue([this, state = state_]() -> std::function<void()> {
+  drawer_->enqueue([this, state = state_]() -> std::function<void()> {
     const VideoRequest& request = state->request;
     std::error_code ignored;
-    if (!request.overwrite && std::filesystem::exists(request.file, ignored)) {
+    if (!request.replacesFile && std::filesystem::exists(request.file, ignored)) {
       return [this, state] {
         if (state_ == state) {
           state_.reset();
@@ -71,7 +71,7 @@ void VideoExporter::open() {
       state->encoder.emplace(std::move(*encoder));
     } else {
       state->error = encoder.error();
-      state->canceled = true;
+      state->isCanceled = true;
     }
     return [this, state] {
       if (state_ == state) {
@@ -86,7 +86,7 @@ void VideoExporter::requestNext() {
     return;
   }
   const std::vector<std::int64_t>& frames = state_->request.frames;
-  if (state_->canceled || next_ == frames.size()) {
+  if (state_->isCanceled || next_ == frames.size()) {
     if (waiting_ == 0) {
       close();
     }
@@ -104,18 +104,18 @@ void VideoExporter::requestNext() {
   const auto consume = [this, state = state_,
                         repeats](Result<QImage> image) -> std::function<void()> {
     if (!image) {
-      state->error = state->canceled ? state->error : image.error();
-      state->canceled = true;
+      state->error = state->isCanceled ? state->error : image.error();
+      state->isCanceled = true;
     }
-    for (std::size_t k = 0; k < repeats && !state->canceled; ++k) {
+    for (std::size_t k = 0; k < repeats && !state->isCanceled; ++k) {
       if (const Status written = state->encoder->write(colorsOfPicture(*image)); !written) {
         state->error = written.error();
-        state->canceled = true;
+        state->isCanceled = true;
       }
     }
     return [this, state, repeats] { count(state, repeats); };
   };
-  drawer_->draw(frame, consume, [state = state_] { return !state->canceled; });
+  drawer_->draw(frame, consume, [state = state_] { return !state->isCanceled; });
 }
 
 void VideoExporter::count(const StatePtr& state, std::size_t images) {
@@ -130,9 +130,9 @@ void VideoExporter::count(const StatePtr& state, std::size_t images) {
 
 void VideoExporter::close() {
   closing_ = true;
-  drawer_->queue([this, state = state_]() -> std::function<void()> {
+  drawer_->enqueue([this, state = state_]() -> std::function<void()> {
     Status closed;
-    if (state->canceled) {
+    if (state->isCanceled) {
       state->encoder.reset(); // its file goes with it
     } else {
       closed = state->encoder->finish();
@@ -150,7 +150,7 @@ void VideoExporter::end(const StatePtr& state, const Status& closed) {
   drawer_->stop();
   if (state->error) {
     Q_EMIT failed(errorText(*state->error));
-  } else if (state->canceled) {
+  } else if (state->isCanceled) {
     Q_EMIT canceled();
   } else if (!closed) {
     Q_EMIT failed(errorText(closed.error()));
@@ -161,7 +161,7 @@ void VideoExporter::end(const StatePtr& state, const Status& closed) {
 
 void VideoExporter::cancel() {
   if (state_) {
-    state_->canceled = true;
+    state_->isCanceled = true;
     requestNext(); // or nobody would close it while nothing is under way
   }
 }
@@ -170,9 +170,9 @@ void VideoExporter::abandon(const QString& sentence) {
   if (!state_) {
     return;
   }
-  state_->canceled = true;
+  state_->isCanceled = true;
   drawer_->stop();
-  drawer_->queue([state = std::exchange(state_, nullptr)]() -> std::function<void()> {
+  drawer_->enqueue([state = std::exchange(state_, nullptr)]() -> std::function<void()> {
     state->encoder.reset();
     return {};
   });

@@ -19,11 +19,11 @@ namespace dewpoint::ui {
 /// Description of a video to export.
 struct VideoRequest {
   std::shared_ptr<const VideoLayout> layout;
-  std::vector<std::int64_t> frames; ///< frame that each image shows (videoFrames())
+  std::vector<std::int64_t> frames; ///< frame that each image shows (chooseVideoFrames())
   VideoEncoding encoding;
   double framesPerSecond = 30.0;
   std::filesystem::path file;
-  bool overwrite = false;
+  bool replacesFile = false; ///< true to overwrite an existing file
 };
 
 /// Writes a run as a video in the background. A canceled or failed export leaves no file.
@@ -47,7 +47,7 @@ Q_SIGNALS:
   void progressChanged(int percent);
   void finished(const QString& file);
   void canceled();
-  /// Emitted if the file exists and VideoRequest::overwrite is false. Nothing was written.
+  /// Emitted if the file exists and VideoRequest::replacesFile is false. Nothing was written.
   void fileExists(const QString& file);
   void failed(const QString& sentence);
 
@@ -55,7 +55,7 @@ private:
   /// Data shared with the other threads.
   struct State {
     VideoRequest request;
-    std::atomic<bool> canceled = false;
+    std::atomic<bool> isCanceled = false;
     std::optional<VideoEncoder> encoder; ///< only used by the thread that writes
     std::optional<Error> error;          ///< as `encoder`
   };

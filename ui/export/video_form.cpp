@@ -49,7 +49,7 @@ void VideoForm::makeFields() {
   views_->setMaximumHeight(120);
   from_ = makeDecimalField("videoFrom", -1.0, kMostVideoSeconds, 3, this);
   to_ = makeDecimalField("videoTo", -1.0, kMostVideoSeconds, 3, this);
-  speed_ = makeDecimalField("videoSpeed", 0.0, VideoTiming::kMaxSpeed, 2, this);
+  speed_ = makeDecimalField("videoSpeed", 0.0, VideoTiming::kMaxPlaybackSpeed, 2, this);
   speed_->setSingleStep(0.1);
   speed_->setValue(1.0);
   size_ = named(new QComboBox(this), "videoSize");
@@ -164,15 +164,15 @@ VideoLayout VideoForm::videoLayout() const {
   } else if (!look.views.empty()) {
     look.size = naturalVideoSize(look.views);
   }
-  look.titlesShown = titles_->isChecked();
-  look.stampShown = stamp_->isChecked();
+  look.showsTitles = titles_->isChecked();
+  look.showsStamp = stamp_->isChecked();
   look.palette = palette();
   return look;
 }
 
 VideoTiming VideoForm::timing(double recorded) const {
   VideoTiming timing;
-  timing.speed = speed_->value() > 0.0 ? std::optional(speed_->value()) : std::nullopt;
+  timing.playbackSpeed = speed_->value() > 0.0 ? std::optional(speed_->value()) : std::nullopt;
   timing.framesPerSecond = rate_->value() > 0.0 ? rate_->value() : recorded;
   return timing;
 }

@@ -85,7 +85,7 @@ VideoSources offerOf(const Workbench& bench, const TimelineModel& time) {
   }
   offer.views = cameraViewsOf(bench);
   addSceneTo(offer, bench);
-  offer.recording = recordingOf(bench.document.project());
+  offer.recordingName = recordingOf(bench.document.project());
   offer.frames = [&time] {
     std::vector<FrameTime> frames;
     for (std::int64_t frame = time.history.firstFrame; frame <= time.history.lastFrame; ++frame) {
@@ -120,14 +120,14 @@ VideoDialog* makeVideoDialog(const Workbench& bench, const TimelineModel& time) 
   const auto resetChoices = [dialog, destination] {
     dialog->resetChoices(videoFile(*destination));
   };
-  QObject::connect(&bench.document, &Document::replaced, dialog, resetChoices);
+  QObject::connect(&bench.document, &Document::projectReplaced, dialog, resetChoices);
   QObject::connect(dialog, &VideoDialog::fileWritten, destination,
                    &ExportDestination::rememberFolder);
   resetChoices();
   QObject::connect(&bench.session, &SessionController::runEnded, dialog, [dialog] {
     dialog->stop(VideoDialog::tr("The export was stopped because the run has ended."));
   });
-  QObject::connect(&bench.session, &SessionController::restarting, dialog, [dialog] {
+  QObject::connect(&bench.session, &SessionController::runAboutToRestart, dialog, [dialog] {
     dialog->stop(VideoDialog::tr("The export was stopped because the run was restarted."));
   });
   const auto refresh = [dialog] {

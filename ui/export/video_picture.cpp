@@ -78,10 +78,10 @@ std::vector<QRect> videoViewAreas(const VideoLayout& look) {
   std::vector<QRect> areas(look.views.size());
   double left = 0.0;
   for (std::size_t column = 0; column < columns; ++column) {
-    const double right = left + grid.columnShares[column] * look.size.width();
+    const double right = left + grid.columnWidthShares[column] * look.size.width();
     double top = 0.0;
     for (std::size_t k = column; k < areas.size(); k += columns) {
-      const double bottom = top + grid.heightShares[k] * look.size.height();
+      const double bottom = top + grid.viewHeightShares[k] * look.size.height();
       areas[k] =
           QRect(QPoint(qRound(left), qRound(top)), QPoint(qRound(right) - 1, qRound(bottom) - 1));
       top = bottom;
@@ -96,7 +96,7 @@ QString videoStampText(const VideoLayout& look, const TrackSnapshotPtr& snapshot
       QCoreApplication::translate("VideoDialog", "Frame %1").arg(snapshot->frame + 1);
   const QString time =
       snapshot->frames ? secondsText(seconds(snapshot->frames->time), 3) : QString();
-  QStringList parts{look.recording, frame, time};
+  QStringList parts{look.recordingName, frame, time};
   parts.removeAll(QString());
   return parts.join(QStringLiteral(" · "));
 }
@@ -116,11 +116,11 @@ QImage videoPicture(const VideoLayout& look, const TrackSnapshotPtr& snapshot,
     } else if (!scene.isNull()) {
       painter.drawImage(areas[k], scene);
     }
-    if (look.titlesShown) {
+    if (look.showsTitles) {
       paintLabel(painter, areas[k], Qt::AlignTop, view.title);
     }
   }
-  if (look.stampShown) {
+  if (look.showsStamp) {
     paintLabel(painter, picture.rect(), Qt::AlignBottom, videoStampText(look, snapshot));
   }
   return picture;

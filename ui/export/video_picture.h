@@ -27,9 +27,9 @@ struct VideoView {
 struct VideoLayout {
   std::vector<VideoView> views; ///< side by side in a grid; at least one
   QSize size;                   ///< image size, pixels; width and height are even
-  bool titlesShown = true;      ///< draws the title of each view in its corner
-  bool stampShown = true;       ///< draws frame, time and recording at the lower edge
-  QString recording;            ///< name of the recording, drawn at the lower edge
+  bool showsTitles = true;      ///< draws the title of each view in its corner
+  bool showsStamp = true;       ///< draws frame, time and recording at the lower edge
+  QString recordingName;        ///< name of the recording, drawn at the lower edge
   QPalette palette;
 };
 

@@ -24,8 +24,8 @@ double areaInPixels(const QSize& size) {
 
 } // namespace
 
-QSize largestSizeInTime(const QSize& wanted, double smallPixels, double smallMs, double largePixels,
-                        double largeMs, double maxMs) {
+QSize largestSizeWithinTime(const QSize& wanted, double smallPixels, double smallMs,
+                            double largePixels, double largeMs, double maxMs) {
   const double perPixel = std::max(0.0, (largeMs - smallMs) / (largePixels - smallPixels));
   const double fixed = std::max(0.0, smallMs - perPixel * smallPixels);
   const double whole = fixed + perPixel * areaInPixels(wanted);
@@ -41,17 +41,17 @@ QSize largestSizeInTime(const QSize& wanted, double smallPixels, double smallMs,
 VideoScene::VideoScene() = default;
 VideoScene::~VideoScene() = default;
 
-void VideoScene::copyLook(const BirdsEyeView& shown, const std::optional<WorldBox>& volume,
-                          const QSize& size) {
+void VideoScene::copyAppearance(const BirdsEyeView& shown, const std::optional<WorldBox>& volume,
+                                const QSize& size) {
   if (!view_) {
     view_ = std::make_unique<BirdsEyeView>();
-    view_->prepare();
+    view_->prepareFirstImage();
   }
   wanted_ = size;
   drawn_ = measured_ == wanted_ ? drawn_ : wanted_;
   view_->setPalette(shown.palette());
   view_->resize(wanted_);
-  view_->copyLook(shown);
+  view_->copyAppearance(shown);
   view_->showVolume(volume);
 }
 
@@ -73,8 +73,8 @@ void VideoScene::measure() {
   render(kSmallProbe);
   const double small = lastMs_;
   render(kLargeProbe);
-  drawn_ = largestSizeInTime(wanted_, areaInPixels(kSmallProbe), small, areaInPixels(kLargeProbe),
-                             lastMs_, kMaxDrawingMs);
+  drawn_ = largestSizeWithinTime(wanted_, areaInPixels(kSmallProbe), small,
+                                 areaInPixels(kLargeProbe), lastMs_, kMaxDrawingMs);
 }
 
 QImage VideoScene::draw(const TrackSnapshotPtr& snapshot) {

@@ -30,13 +30,13 @@ public:
 
   /// Copies the layers and the point of view of the bird's-eye view `shown`, for images of this
   /// size (pixels). `volume` is the volume of interest to draw, if there is one.
-  void copyLook(const BirdsEyeView& shown, const std::optional<WorldBox>& volume,
-                const QSize& size);
+  void copyAppearance(const BirdsEyeView& shown, const std::optional<WorldBox>& volume,
+                      const QSize& size);
   /// Returns the image of a frame; null without OpenGL.
   QImage draw(const TrackSnapshotPtr& snapshot);
   /// Returns the size in which images are drawn, which may be smaller than requested.
   const QSize& drawnSize() const { return drawn_; }
-  bool isReduced() const { return drawn_ != wanted_; }
+  bool isSizeReduced() const { return drawn_ != wanted_; }
   /// Returns how long drawing the last image took, in milliseconds.
   double lastDrawingMs() const { return lastMs_; }
 
@@ -55,7 +55,7 @@ private:
 /// milliseconds to draw, but at least a quarter of the width and height of `wanted`. The time is
 /// estimated from two measurements: an image of `smallPixels` pixels took `smallMs`, and an image
 /// of `largePixels` pixels took `largeMs`.
-QSize largestSizeInTime(const QSize& wanted, double smallPixels, double smallMs, double largePixels,
-                        double largeMs, double maxMs);
+QSize largestSizeWithinTime(const QSize& wanted, double smallPixels, double smallMs,
+                            double largePixels, double largeMs, double maxMs);
 
 } // namespace dewpoint::ui

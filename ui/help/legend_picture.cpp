@@ -88,7 +88,7 @@ void paintInsetSign(QPainter& painter, const QPointF& ball, const QSizeF& size) 
   constexpr double kBracket = 9.0;
   const QRectF box(3.0, size.height() - kSide - 3.0, kSide, kSide);
   const QRectF place(ball - QPointF(kBracket / 2.0, kBracket / 2.0), QSizeF(kBracket, kBracket));
-  withHalo(painter, Qt::white, 1.0, [&] {
+  drawWithHalo(painter, Qt::white, 1.0, [&] {
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(place);
     painter.drawLine(box.topRight() + QPointF(0.0, 4.0), place.bottomLeft());
@@ -100,7 +100,7 @@ void paintInsetSign(QPainter& painter, const QPointF& ball, const QSizeF& size) 
   for (const Eigen::Vector2f& dot : cloudAround(box.center(), 0.26 * kSide)) {
     painter.drawEllipse(QPointF(dot.x(), dot.y()), 0.9, 0.9);
   }
-  withHalo(painter, Qt::white, 1.0, [&] {
+  drawWithHalo(painter, Qt::white, 1.0, [&] {
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(box, 4.0, 4.0);
   });
@@ -176,12 +176,13 @@ void LegendPicture::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(tint);
     painter.drawEllipse(ball, kBallRadius, kBallRadius);
-    withHalo(painter, color, 1.4, [&] {
+    drawWithHalo(painter, color, 1.4, [&] {
       painter.setBrush(Qt::NoBrush);
       painter.drawEllipse(ball, kBallRadius, kBallRadius);
     });
   } else if (sign_ == LegendSign::Ray) {
-    withHalo(painter, color, 1.6, [&] { painter.drawLine(QPointF(0, 10), QPointF(width(), 48)); });
+    drawWithHalo(painter, color, 1.6,
+                 [&] { painter.drawLine(QPointF(0, 10), QPointF(width(), 48)); });
   } else if (sign_ == LegendSign::Inset) {
     paintInsetSign(painter, ball, size());
   } else if (sign_ == LegendSign::Range) {
@@ -189,7 +190,7 @@ void LegendPicture::paintEvent(QPaintEvent* /*event*/) {
   }
   // Pixels of the image are those of the picture; their centers lie at integers.
   paintOverlay(painter, overlayOf(sign_, ball), {QPointF(-0.5, -0.5), 1.0}, color,
-               ParticleRamp::heat());
+               ParticleRamp::heatRamp());
 }
 
 } // namespace dewpoint::ui

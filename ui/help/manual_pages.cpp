@@ -63,7 +63,7 @@ QStringList manualPages() {
                        QStringLiteral("project-file.md"),
                        QStringLiteral("command-line.md"),
                        QStringLiteral("python.md")};
-  for (const std::string_view page : methodPages()) {
+  for (const std::string_view page : methodManualPages()) {
     pages << manualPage(page);
   }
   pages << QStringLiteral("method-calibration.md") << QStringLiteral("method-color.md")
@@ -75,7 +75,7 @@ QStringList manualPages() {
 }
 
 QString manualPageOfMethod(const QString& method) {
-  return manualPage(methodPage(method.toStdString()));
+  return manualPage(methodManualPage(method.toStdString()));
 }
 
 QString manualPageOf(const QString& dock, const QString& method) {

@@ -17,11 +17,11 @@ public:
   explicit OverlayLegend(QWidget* parent);
 
   /// Default width of the sentences in pixels.
-  static constexpr int kSentenceWidth = 380;
+  static constexpr int kSentenceWidthPx = 380;
   /// Adds a row for each sign to a layout. `sentenceWidth` is the width of the sentences in pixels.
   /// The sentences are updated when the language changes.
   static void addRows(QGridLayout* rows, const std::vector<LegendSign>& signs, QWidget* parent,
-                      int sentenceWidth = kSentenceWidth);
+                      int sentenceWidth = kSentenceWidthPx);
 };
 
 } // namespace dewpoint::ui

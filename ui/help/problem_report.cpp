@@ -58,7 +58,7 @@ QString reportText(const ProblemFacts& facts) {
           .arg(QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture())
           .arg(QThread::idealThreadCount()),
       QStringLiteral("Language: %1 (system: %2)").arg(QLocale().name(), QLocale::system().name()),
-      QStringLiteral("Project: %1").arg(facts.project),
+      QStringLiteral("Project: %1").arg(facts.projectDescription),
       QString(),
       QStringLiteral("Last messages:")};
   lines += facts.messages.isEmpty() ? QStringList{QStringLiteral("(none)")} : facts.messages;

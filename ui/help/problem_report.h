@@ -18,9 +18,9 @@ class BackgroundJob;
 
 /// Facts about the window that a problem report contains.
 struct ProblemFacts {
-  QStringList messages; ///< the last messages shown
-  QString project;      ///< short description of the open project
-  QString crashReport;  ///< crash report; empty if there was no crash
+  QStringList messages;       ///< the last messages shown
+  QString projectDescription; ///< short description of the open project
+  QString crashReport;        ///< crash report; empty if there was no crash
 };
 
 /// Dialog with information that helps to find a fault, as text to copy: versions, system, OpenGL,

@@ -58,9 +58,9 @@ QColor colorOf(FindingLevel level, const QPalette& palette) {
 
 /// Work for another thread: it owns all that it uses.
 std::vector<Finding> findingsOf(const Project& project, const ProjectOpener& opener,
-                                bool everyFrame, const BackgroundJob::Progress& progress) {
+                                bool decodesEveryFrame, const BackgroundJob::Progress& progress) {
   ExaminationOptions options;
-  options.everyFrame = everyFrame;
+  options.decodesEveryFrame = decodesEveryFrame;
   options.open = [&opener](const Project& opened) -> Result<std::unique_ptr<FrameSetSource>> {
     auto inputs = opener(SessionRequest(opened));
     if (!inputs) {

@@ -55,7 +55,7 @@ SelfTestLine openGlLine() {
 }
 
 SelfTestLine languagesLine() {
-  const QStringList all = languages();
+  const QStringList all = availableLanguages();
   const QString text =
       QStringLiteral("%1; in use: %2 (system: %3)")
           .arg(all.join(QStringLiteral(", ")), QLocale().name(), QLocale::system().name());
@@ -75,7 +75,7 @@ std::vector<SelfTestLine> runGraphicsSelfTest() {
 SelfTestInputs makeSelfTestInputs(const ProjectOpener& opener) {
   SelfTestInputs parts;
   parts.openScene = [opener] { return opener(SessionRequest("demo")); };
-  parts.cameras = connectedCameras();
+  parts.cameraNames = connectedCameras();
   parts.scratchFolder =
       QDir::temp()
           .filePath(QStringLiteral("dewpoint-self-test-%1").arg(QCoreApplication::applicationPid()))

@@ -51,12 +51,12 @@ bool BackgroundJob::start(Work work) {
 }
 
 void BackgroundJob::end(const std::function<void()>& finish) {
-  const bool cancelled = stop_.stop_requested();
+  const bool canceled = stop_.stop_requested();
   running_ = false;
-  if (!cancelled && finish) {
+  if (!canceled && finish) {
     finish();
   }
-  Q_EMIT ended(cancelled);
+  Q_EMIT ended(canceled);
 }
 
 void BackgroundJob::cancel() {

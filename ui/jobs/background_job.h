@@ -41,7 +41,7 @@ Q_SIGNALS:
   /// Emitted with the progress of the work (0 to 1; negative if unknown), at most about 20 times a
   /// second.
   void progressChanged(double part);
-  void ended(bool cancelled); ///< emitted after the function returned by the work has run
+  void ended(bool canceled); ///< emitted after the function returned by the work has run
 
 private:
   void end(const std::function<void()>& finish);

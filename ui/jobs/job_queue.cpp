@@ -10,8 +10,8 @@ JobQueue::JobQueue(QObject* parent) : QObject(parent) {}
 void JobQueue::add(Work work) {
   {
     const std::scoped_lock lock(state_->mutex);
-    state_->waiting.push_back(std::move(work));
-    if (std::exchange(state_->running, true)) {
+    state_->pendingWork.push_back(std::move(work));
+    if (std::exchange(state_->isRunning, true)) {
       return;
     }
   }
@@ -23,12 +23,12 @@ void JobQueue::runWaiting(State& state, const JobMailbox::Sender& mailbox) {
     Work work;
     {
       const std::scoped_lock lock(state.mutex);
-      if (state.waiting.empty()) {
-        state.running = false;
+      if (state.pendingWork.empty()) {
+        state.isRunning = false;
         return;
       }
-      work = std::move(state.waiting.front());
-      state.waiting.pop_front();
+      work = std::move(state.pendingWork.front());
+      state.pendingWork.pop_front();
     }
     if (auto finish = work()) {
       mailbox.post(std::move(finish));

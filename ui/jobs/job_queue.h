@@ -27,8 +27,8 @@ public:
 private:
   struct State {
     std::mutex mutex;
-    std::deque<Work> waiting;
-    bool running = false;
+    std::deque<Work> pendingWork;
+    bool isRunning = false;
   };
   static void runWaiting(State& state, const JobMailbox::Sender& mailbox);
 

@@ -23,11 +23,11 @@ void CameraMotionAlerts::setSnapshot(const TrackSnapshotPtr& shown) {
   const TrackSnapshot& snapshot = *shown;
   const double now = snapshot.frames ? seconds(snapshot.frames->time) : 0.0;
   const CameraMotionMessages::NewMessages news = news_.update(snapshot.cameraMotions, now);
-  if (news.withdrawsEarlier) {
+  if (news.withdrawsEarlierMessages) {
     withdraw();
   }
   const QStringList names = cameraNames(snapshot);
-  for (const auto& [report, stage] : news.items) {
+  for (const auto& [report, stage] : news.messages) {
     showAlert(report, stage, names.value(static_cast<int>(report.event.camera)));
   }
 }
@@ -59,7 +59,7 @@ void CameraMotionAlerts::showAlert(const CameraMotionReport& report, CameraMotio
                                    const QString& name) {
   const int camera = static_cast<int>(report.event.camera);
   const QString what = tr("%1 was rotated by %2 (frame %3).")
-                           .arg(name, angleText(report.event.turn.turn.norm(), 2))
+                           .arg(name, angleText(report.event.rotation.turn.norm(), 2))
                            .arg(static_cast<qlonglong>(report.event.frame)) +
                        QLatin1Char(' ');
   withdraw(camera);

@@ -25,7 +25,7 @@ HistoryDock::HistoryDock(const Workbench& bench) : QObject(&bench.window), bench
                          .title = [] { return tr("History"); },
                          .content = view,
                          .area = DockArea::History,
-                         .hiddenAtFirst = true});
+                         .isHiddenAtFirst = true});
   // As QUndoStack::createUndoAction() does, whose texts stay in the language they were made in.
   QAction* undo = bench_.action("actionUndo");
   QAction* redo = bench_.action("actionRedo");

@@ -160,13 +160,13 @@ void MainWindow::installFeatures() {
   installTransportBar(bench);
   messageRow_ = new MessageRow(messages_, notices_, this);
   placeMessageRow();
-  connect(messageRow_, &MessageRow::heightChanging, docks_,
+  connect(messageRow_, &MessageRow::heightAboutToChange, docks_,
           [this] { docks_->lockLowerDockHeights(true); });
   connect(messageRow_, &MessageRow::heightChanged, docks_,
           [this] { docks_->lockLowerDockHeights(false); });
   menus_->makeMenus();
   connectRun();
-  birdsEye->prepare();
+  birdsEye->prepareFirstImage();
 }
 
 void MainWindow::installStatusBar() {
@@ -186,14 +186,14 @@ void MainWindow::connectRun() {
   connect(session_, &SessionController::openFailed, this, &MainWindow::openFailed);
   connect(session_, &SessionController::iterationsLogged, this,
           [this] { Q_EMIT snapshotShown(session_->shownSnapshot()); });
-  connect(document_, &Document::replaced, this, &MainWindow::updateTitle);
+  connect(document_, &Document::projectReplaced, this, &MainWindow::updateTitle);
   connect(document_, &Document::changed, this, &MainWindow::updateTitle);
   connect(document_, &Document::fileChanged, this, &MainWindow::updateTitle);
   connect(document_->undoStack(), &QUndoStack::cleanChanged, this,
           [this] { setWindowModified(document_->isUnsaved()); });
   connect(docks_, &DockManager::viewsShownChanged, this, &MainWindow::placeMessageRow);
   connect(docks_, &DockManager::layoutChanged, this, &MainWindow::placeMessageRow);
-  bench_->onTriggered("actionResetLayout", docks_, [this] { docks_->reset(); });
+  bench_->onTriggered("actionResetLayout", docks_, [this] { docks_->resetLayout(); });
   bench_->requireRun({"actionResetLayout"});
   bench_->onTriggered("actionQuit", this, [this] { close(); });
   bench_->onToggled("actionFullScreen", this, [this](bool full) {
@@ -248,7 +248,7 @@ Theme MainWindow::theme() const {
   return themes_->theme();
 }
 
-void MainWindow::restoreAndKeepGeometry() {
+void MainWindow::restoreAndSaveGeometry() {
   keepsGeometry_ = true;
   restoreGeometry(Preferences().windowGeometry());
 }

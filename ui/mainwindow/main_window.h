@@ -51,7 +51,7 @@ public:
   Theme theme() const;
 
   /// Restores the window size and position from the last session, and saves them on close.
-  void restoreAndKeepGeometry();
+  void restoreAndSaveGeometry();
   /// Keeps a copy of unsaved work in this folder, and offers copies that earlier windows left
   /// there. `write` is the function that writes the copies; `writeTextFile()` by default.
   void enableRecovery(const std::filesystem::path& folder, TextWriter write = {});

@@ -71,10 +71,10 @@ void MissingFilesOffer::locate(const OpenRequest& request, const MissingFiles& m
   }
   OpenRequest again = request;
   const MovedFiles moved = locateRemainingFiles(*missing, wanted, found.toStdString());
-  if (again.source.project) {
-    again.source.project = withMovedFiles(std::move(*again.source.project), moved);
+  if (again.sessionRequest.project) {
+    again.sessionRequest.project = withMovedFiles(std::move(*again.sessionRequest.project), moved);
   } else {
-    again.source.moved.insert(moved.begin(), moved.end());
+    again.sessionRequest.movedFiles.insert(moved.begin(), moved.end());
   }
   again.isUnsaved = true;
   again.message = tr("The project was opened with the files that you located. Save the project to "

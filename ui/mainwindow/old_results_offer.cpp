@@ -18,7 +18,7 @@ OldResultsOffer::OldResultsOffer(const Workbench& bench) : QObject(&bench.window
   ResultRefresher* results = &bench_.session.resultRefresher();
   connect(results, &ResultRefresher::retrackOfferChanged, this, &OldResultsOffer::offer);
   const auto update = [this, results] {
-    bench_.action("actionTrackAgain")->setEnabled(!results->oldResults().frames.empty());
+    bench_.action("actionTrackAgain")->setEnabled(!results->oldResults().frameRanges.empty());
   };
   connect(results, &ResultRefresher::oldResultsChanged, this, update);
   bench_.onTriggered("actionTrackAgain", results, [results] { results->trackAgain(); });
@@ -26,7 +26,8 @@ OldResultsOffer::OldResultsOffer(const Workbench& bench) : QObject(&bench.window
   SessionController* session = &bench_.session;
   connect(session, &SessionController::startedAtLaterFrame, this,
           &OldResultsOffer::offerFirstFrame);
-  connect(session, &SessionController::restarting, this, &OldResultsOffer::withdrawFirstFrame);
+  connect(session, &SessionController::runAboutToRestart, this,
+          &OldResultsOffer::withdrawFirstFrame);
   connect(session, &SessionController::runEnded, this, &OldResultsOffer::withdrawFirstFrame);
   connect(session, &SessionController::framesLogged, this, [this](const LoggedFrames& logged) {
     if (fills(logged)) {

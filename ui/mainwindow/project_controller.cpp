@@ -70,12 +70,12 @@ void ProjectController::makePages() {
 }
 
 void ProjectController::connectPages() {
-  connect(startPage_, &StartPage::sceneRequested, this, &ProjectController::openScene);
-  connect(startPage_, &StartPage::videosRequested, this, [this] {
+  connect(startPage_, &StartPage::builtInSceneRequested, this, &ProjectController::openScene);
+  connect(startPage_, &StartPage::startWithVideosRequested, this, [this] {
     showNewProjectPage({});
     newProject_->chooseVideos();
   });
-  connect(startPage_, &StartPage::camerasRequested, this, [this] {
+  connect(startPage_, &StartPage::startWithCamerasRequested, this, [this] {
     showNewProjectPage({});
     newProject_->addConnectedCameras();
   });
@@ -86,7 +86,7 @@ void ProjectController::connectPages() {
   });
   connect(startPage_, &StartPage::projectRequested, this,
           [this](const QString& file) { file.isEmpty() ? chooseProject() : open(toPath(file)); });
-  connect(newProject_, &NewProjectPage::cancelled, this, [this] {
+  connect(newProject_, &NewProjectPage::canceled, this, [this] {
     if (bench_.session.isRunning()) {
       bench_.docks.showViews(true);
     } else {
@@ -126,7 +126,8 @@ void ProjectController::connectOpening() {
     if (request.opensCalibrationPage) {
       bench_.action("actionCalibrateByHand")->setChecked(true);
     }
-    if (request.opensGuide) { // the action is enabled once the page that covers the run is gone
+    if (request.opensCalibrationGuide) { // the action is enabled once the page that covers the run
+                                         // is gone
       QMetaObject::invokeMethod(bench_.action("actionCalibrate"), &QAction::trigger,
                                 Qt::QueuedConnection);
     }
@@ -139,19 +140,20 @@ void ProjectController::connectOpening() {
 }
 
 void ProjectController::openScene(const QString& name, bool calibrate) {
-  bench_.session.open({.source = toPath(name), .opensCalibrationPage = calibrate});
+  bench_.session.open({.sessionRequest = toPath(name), .opensCalibrationPage = calibrate});
 }
 
 void ProjectController::connectRun() {
   const SessionController* run = &bench_.session;
   connect(run, &SessionController::runStarted, this, [this] { bench_.docks.showViews(true); });
   connect(run, &SessionController::runEnded, &bench_.docks, &DockManager::forgetLayoutBehindPages);
-  connect(run, &SessionController::documentReplacing, this, [this](const OpenRequest& request) {
-    bench_.messages.removeOldMessages(!request.keepHistory);
-  });
+  connect(run, &SessionController::documentAboutToBeReplaced, this,
+          [this](const OpenRequest& request) {
+            bench_.messages.removeOldMessages(!request.keepsHistory);
+          });
   connect(run, &SessionController::documentReplaced, this, [this](const OpenRequest& request) {
     const auto& file = bench_.document.project().file;
-    if (!request.keepHistory && !file.empty()) {
+    if (!request.keepsHistory && !file.empty()) {
       recent_->add(QString::fromStdString(file.string()));
     }
     if (request.recovered && recovery_ != nullptr) {
@@ -169,7 +171,7 @@ void ProjectController::connectRun() {
 }
 
 void ProjectController::open(const std::filesystem::path& file) {
-  bench_.session.open({.source = file});
+  bench_.session.open({.sessionRequest = file});
 }
 
 void ProjectController::showStartPage() {
@@ -193,9 +195,9 @@ void ProjectController::openCreated(const Project& project, const QString& note)
       : note.isEmpty() && isCalibrated
           ? tr("Click the object to track in any image. Its color is learned and tracking starts.")
           : note;
-  bench_.session.open({.source = project,
+  bench_.session.open({.sessionRequest = project,
                        .isUnsaved = true,
-                       .opensGuide = std::exchange(guideNewProject_, false),
+                       .opensCalibrationGuide = std::exchange(guideNewProject_, false),
                        .message = hint});
 }
 
@@ -269,7 +271,7 @@ void ProjectController::enableRecovery(const std::filesystem::path& folder, Text
   connect(recovery_, &RecoveryOffer::recovered, this,
           [this](const Project& project, const RecoverableWork& work) {
             bench_.session.open(
-                {.source = project,
+                {.sessionRequest = project,
                  .isUnsaved = true,
                  .message = tr("The changes were recovered. Save the project to keep them."),
                  .recovered = work});

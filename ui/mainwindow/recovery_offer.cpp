@@ -52,7 +52,7 @@ void RecoveryOffer::ask(const std::vector<RecoverableWork>& left) {
   // Meanwhile a project may be opened, and much be said: the question comes back after that.
   bench_.messages.showLastingQuestion(
       tr("Dewpoint closed unexpectedly. Unsaved changes to “%1” from %2 can be recovered.")
-          .arg(work.name, work.backupTimeText),
+          .arg(work.projectName, work.backupTimeText),
       {{tr("Recover"), [this, work] { Q_EMIT recoveryRequested(work); }},
        {tr("Discard"), [this, work] { discardWork(work); }}});
 }
@@ -61,11 +61,12 @@ void RecoveryOffer::discardWork(const RecoverableWork& work) {
   recovery_->discard(work);
   recovery_->findBackups([this, work](const std::vector<RecoverableWork>& left) {
     ask(left); // of other work, once this is read
-    bench_.messages.showQuestion(tr("Unsaved changes to “%1” were discarded.").arg(work.name),
-                                 {{tr("Undo"), [this, work] {
-                                     recovery_->restore(work);
-                                     offerRecovery();
-                                   }}});
+    bench_.messages.showQuestion(
+        tr("Unsaved changes to “%1” were discarded.").arg(work.projectName),
+        {{tr("Undo"), [this, work] {
+            recovery_->undoDiscard(work);
+            offerRecovery();
+          }}});
   });
 }
 

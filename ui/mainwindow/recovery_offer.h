@@ -22,7 +22,7 @@ public:
   /// Asks the user whether to recover the newest copy of unsaved work, if there is one.
   void offerRecovery();
   /// Sets how often the folder with the copies of unsaved work is searched until a copy is found.
-  void setInterval(std::chrono::milliseconds interval) { searchTimer_.setInterval(interval); }
+  void setSearchInterval(std::chrono::milliseconds interval) { searchTimer_.setInterval(interval); }
   /// Notes that the document now contains this recovered work.
   void adoptBackup(const RecoverableWork& work) { recovery_->adoptBackup(work); }
   /// Removes the copy of this window's work. Call this when the work was saved or discarded.

@@ -28,7 +28,8 @@
 namespace dewpoint::ui {
 
 RunAlerts::RunAlerts(const Workbench& bench, NoticeList& notices, CalibrationMode& calibration)
-    : QObject(&bench.window), bench_(bench), notices_(notices), manual_(calibration.manual()) {
+    : QObject(&bench.window), bench_(bench), notices_(notices),
+      manual_(calibration.manualCalibration()) {
   auto* alerts = new CameraMotionAlerts(bench_.messages, this);
   connect(&bench_.session, &SessionController::snapshotChanged, this, &RunAlerts::showNotices);
   bench_.connectView(alerts);
@@ -126,15 +127,15 @@ void RunAlerts::applyNewPose(int camera) {
     return;
   }
   const MovedCameraPose solved = *report->newPose; // the report goes with the next snapshot
-  Camera now = manual_.projectCamera(camera);
+  Camera now = manual_.cameraInProject(camera);
   now.cameraFromWorld = solved.camera.cameraFromWorld;
   manual_.changeCamera(camera, tr("Recompute pose of %1").arg(name), now);
   QString sentence =
       tr("The pose of %1 was recomputed. Undo restores the previous pose.").arg(name);
   if (solved.usedSightingCount > 0) {
-    sentence += QLatin1Char(' ') +
-                tr("Disagreement with the other cameras: %1 before, %2 now.")
-                    .arg(pixelText(solved.medianPxBefore), pixelText(solved.medianPxAfter));
+    sentence += QLatin1Char(' ') + tr("Disagreement with the other cameras: %1 before, %2 now.")
+                                       .arg(pixelText(solved.medianResidualPxBefore),
+                                            pixelText(solved.medianResidualPxAfter));
   }
   bench_.messages.showNotice(sentence);
 }

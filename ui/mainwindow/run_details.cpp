@@ -56,7 +56,7 @@ QString liveLatencyText(const LiveLatency& live) {
       stagesText(RunDetails::tr(
                      "99th percentile: capture %1 · decode %2 · wait %3 · compute %4 · draw %5"),
                  live, &Latency::p99);
-  if (live.images[static_cast<std::size_t>(TimeOrigin::Arrival)] > 0) {
+  if (live.imageCounts[static_cast<std::size_t>(TimeOrigin::Arrival)] > 0) {
     text += QLatin1Char('\n') + RunDetails::tr("If a camera does not report capture times, the "
                                                "time is counted from the arrival of its image");
   }
@@ -64,13 +64,13 @@ QString liveLatencyText(const LiveLatency& live) {
 }
 
 QString budgetText(const BudgetStatistics& budget) {
-  if (budget.budgetMilliseconds <= 0.0 || budget.iterations == 0) {
+  if (budget.budgetMilliseconds <= 0.0 || budget.iterationCount == 0) {
     return RunDetails::tr("not set");
   }
-  const double kept =
-      1.0 - static_cast<double>(budget.lateIterations) / static_cast<double>(budget.iterations);
+  const double kept = 1.0 - static_cast<double>(budget.lateIterationCount) /
+                                static_cast<double>(budget.iterationCount);
   return RunDetails::tr("%1 (met by %2 % of the iterations of this run)")
-      .arg(millisecondsText(budget.budgetMilliseconds), percentText(kept, 1));
+      .arg(millisecondsText(budget.budgetMilliseconds), percentNumber(kept, 1));
 }
 
 } // namespace
@@ -148,8 +148,8 @@ void RunDetails::refresh(const TrackSnapshot& snapshot, const TargetSnapshot* ta
                            : tr("%1 of %2 particles")
                                  .arg(numberText(effectiveSampleSizeOf(target->estimate), 0))
                                  .arg(particles));
-  iterations_->setText(QString::number(snapshot.iterations));
-  dropped_->setText(QString::number(snapshot.droppedFrames));
+  iterations_->setText(QString::number(snapshot.iterationCount));
+  dropped_->setText(QString::number(snapshot.droppedFrameCount));
   seed_->setText(QString::number(snapshot.seed));
   history_->setText(
       tr("%1 of %2 MB")

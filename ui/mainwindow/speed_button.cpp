@@ -93,28 +93,28 @@ void SpeedButton::connectActions() {
   bench_.onTriggered("actionFaster", this, [this] { step(1); });
   bench_.onTriggered("actionNormalSpeed", this, [this] { setSpeed(1.0); });
   bench_.onToggled("actionSlowStart", this, [this](bool slow) {
-    Preferences().setSlowUntilHeld(slow);
+    Preferences().setSlowUntilTracking(slow);
     Pace pace = bench_.session.pace();
     pace.slowUntilTracking = slow;
     bench_.session.setPace(pace);
   });
-  bench_.action("actionSlowStart")->setChecked(Preferences().slowUntilTracking());
+  bench_.action("actionSlowStart")->setChecked(Preferences().isSlowUntilTracking());
 }
 
 void SpeedButton::setSpeed(double speed) {
   Pace pace = bench_.session.pace();
-  pace.speed = speed;
+  pace.speedFactor = speed;
   bench_.session.setPace(pace);
 }
 
 void SpeedButton::step(int direction) {
-  const auto now = static_cast<int>(nearestSpeed(bench_.session.pace().speed));
+  const auto now = static_cast<int>(nearestSpeed(bench_.session.pace().speedFactor));
   const int next = std::clamp(now + direction, 0, static_cast<int>(kSpeeds.size()) - 1);
   setSpeed(kSpeeds[static_cast<std::size_t>(next)]);
 }
 
 void SpeedButton::showPace() {
-  const std::size_t now = nearestSpeed(bench_.session.pace().speed);
+  const std::size_t now = nearestSpeed(bench_.session.pace().speedFactor);
   setText(speedText(kSpeeds[now]));
   speeds_->actions().at(static_cast<qsizetype>(now))->setChecked(true);
   bench_.action("actionSlower")->setEnabled(now > 0);

@@ -241,7 +241,7 @@ void StatusBarPanel::clearEstimate() {
 
 void StatusBarPanel::showBox(const BoxEstimate& estimate) {
   speed_->clear();
-  spread_->setText(tr("± %1").arg(pixelText(estimate.spread)));
+  spread_->setText(tr("± %1").arg(pixelText(estimate.spreadPixels)));
   const Eigen::Vector2d center = estimate.box.center();
   position_->setText(tr("x %1  y %2  %3 × %4")
                          .arg(numberText(center.x(), 1), numberText(center.y(), 1),

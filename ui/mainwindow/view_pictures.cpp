@@ -18,7 +18,7 @@
 namespace dewpoint::ui {
 
 ViewPictures::ViewPictures(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
-  connect(&bench_.docks, &DockManager::dockMade, this, &ViewPictures::addMenu);
+  connect(&bench_.docks, &DockManager::dockCreated, this, &ViewPictures::addMenu);
   bench_.onTriggered("actionSavePicture", this, [this] { choose(); });
   bench_.requireRun({"actionSavePicture"});
 }

@@ -38,8 +38,8 @@ QString nameOfLanguage(const QString& language) {
 
 } // namespace
 
-WindowMenus::WindowMenus(const Workbench& bench, Owners owners)
-    : QObject(&bench.window), bench_(bench), owners_(std::move(owners)),
+WindowMenus::WindowMenus(const Workbench& bench, Callbacks callbacks)
+    : QObject(&bench.window), bench_(bench), callbacks_(std::move(callbacks)),
       palette_(new CommandPalette(bench.actions, &bench.window)) {
   palette_->setExtraEntries([this] { return extraPaletteEntries(); });
   bench_.onTriggered("actionPalette", this, [this] { openCommandPalette(); });
@@ -123,7 +123,7 @@ void WindowMenus::makeFileMenu() {
   auto* recent = new QMenu(tr("Open recent"), file);
   recent->setObjectName(QStringLiteral("menuRecent"));
   recent->setToolTipsVisible(true);
-  connect(recent, &QMenu::aboutToShow, this, [this, recent] { owners_.fillRecent(recent); });
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] { callbacks_.fillRecent(recent); });
   file->insertMenu(bench_.action("actionOpenDemo"), recent);
 }
 
@@ -182,11 +182,12 @@ void WindowMenus::fillLanguageMenu(QMenu* menu) {
     entry->setCheckable(true);
     entry->setChecked(language == now);
     choice->addAction(entry);
-    connect(entry, &QAction::triggered, this, [this, language] { owners_.setLanguage(language); });
+    connect(entry, &QAction::triggered, this,
+            [this, language] { callbacks_.setLanguage(language); });
     languages_.push_back(entry);
   };
   addComboBox(tr("Follow system"), {});
-  for (const QString& language : languages()) {
+  for (const QString& language : availableLanguages()) {
     addComboBox(nameOfLanguage(language), language);
   }
 }

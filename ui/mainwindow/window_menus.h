@@ -17,11 +17,11 @@ class WindowMenus : public QObject {
   Q_OBJECT
 public:
   /// Functions of the window that the menus call.
-  struct Owners {
+  struct Callbacks {
     std::function<void(QMenu*)> fillRecent; ///< fills a menu with the recent projects
     std::function<void(const QString&)> setLanguage;
   };
-  WindowMenus(const Workbench& bench, Owners owners);
+  WindowMenus(const Workbench& bench, Callbacks callbacks);
 
   /// Creates all menus. Call it again after a language change.
   void makeMenus();
@@ -36,7 +36,7 @@ private:
   std::vector<CommandPalette::Entry> extraPaletteEntries();
 
   Workbench bench_;
-  Owners owners_;
+  Callbacks callbacks_;
   CommandPalette* palette_;
   std::vector<QAction*> languages_; ///< actions in the language menu, listed in the palette
 };

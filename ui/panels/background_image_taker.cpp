@@ -22,7 +22,7 @@ namespace {
 /// Whether an image that was taken of a camera is still wanted as its background image.
 bool isStillAs(const ProjectCamera& now, const ProjectCamera& then) {
   return now.source == then.source && now.location == then.location &&
-         now.backgroundImage == then.backgroundImage;
+         now.backgroundImageFile == then.backgroundImageFile;
 }
 
 } // namespace
@@ -31,7 +31,7 @@ BackgroundImageTaker::BackgroundImageTaker(Document& document, Selection& select
                                            const CameraListModel& cameras, QObject* parent)
     : QObject(parent), document_(document), selection_(selection), cameras_(cameras),
       write_(saveBackgroundImage), writeQueue_(std::make_unique<JobQueue>()) {
-  connect(&document_, &Document::replaced, this, &BackgroundImageTaker::discardWrites);
+  connect(&document_, &Document::projectReplaced, this, &BackgroundImageTaker::discardWrites);
 }
 
 BackgroundImageTaker::~BackgroundImageTaker() = default;
@@ -110,7 +110,7 @@ void BackgroundImageTaker::applyWritten(const Project& then, int camera,
     return;
   }
   const auto edited = document_.edit(tr("Change background image"), [&](Project& project) {
-    project.cameras[row].backgroundImage = kept->string();
+    project.cameras[row].backgroundImageFile = kept->string();
   });
   if (!edited) {
     Q_EMIT failed(errorText(edited.error()));

@@ -73,7 +73,7 @@ void CameraPanel::makeFields() {
   calibration_->setObjectName(QStringLiteral("cameraCalibration"));
   calibration_->setWordWrap(true);
   calibration_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  addRotations(*rotation_);
+  addRotationChoices(*rotation_);
   nameLabel_->setBuddy(name_);
   sourceLabel_->setBuddy(source_);
   rotationLabel_->setBuddy(rotation_);
@@ -101,7 +101,7 @@ void CameraPanel::makeFields() {
 }
 
 void CameraPanel::connectFields() {
-  connect(&document_, &Document::replaced, this, &CameraPanel::refresh);
+  connect(&document_, &Document::projectReplaced, this, &CameraPanel::refresh);
   connect(&document_, &Document::sourcesChanged, this, &CameraPanel::refresh);
   connect(&document_, &Document::calibrationChanged, this, &CameraPanel::showChosen);
   connect(&document_, &Document::backgroundImagesChanged, this, &CameraPanel::showChosen);
@@ -148,7 +148,7 @@ void CameraPanel::connectFields() {
   connect(backgroundImageBrowse_, &QPushButton::clicked, this, &CameraPanel::chooseBackgroundImage);
   connect(backgroundImageTake_, &QPushButton::clicked, this, [this] { taker_->capture(chosen()); });
   connect(taker_, &BackgroundImageTaker::busyChanged, this, &CameraPanel::updateTakeButton);
-  connect(load_, &QPushButton::clicked, this, &CameraPanel::importRequested);
+  connect(load_, &QPushButton::clicked, this, &CameraPanel::calibrationImportRequested);
 }
 
 void CameraPanel::retranslateUi() {
@@ -213,11 +213,11 @@ void CameraPanel::showChosen() {
   delayEstimate_->setEditable(own);
   showDelayEstimate();
   updateTakeButton();
-  backgroundImage_->setText(QString::fromStdString(camera.backgroundImage));
+  backgroundImage_->setText(QString::fromStdString(camera.backgroundImageFile));
   name_->setText(QString::fromStdString(camera.camera.name));
   source_->setText(any && !own ? tr("simulated") : QString::fromStdString(camera.location));
   rotation_->setCurrentIndex(rotation_->findData(camera.rotateDegrees));
-  mirror_->setChecked(camera.mirrored);
+  mirror_->setChecked(camera.isMirrored);
   showValue(*delay_, inMilliseconds(camera.delay));
   any ? showCalibration(camera) : calibration_->clear();
 }
@@ -301,7 +301,7 @@ void CameraPanel::updateTakeButton() {
 
 void CameraPanel::setBackgroundImage(const QString& file) {
   edit(tr("Change background image"),
-       [&](ProjectCamera& camera) { camera.backgroundImage = file.toStdString(); });
+       [&](ProjectCamera& camera) { camera.backgroundImageFile = file.toStdString(); });
 }
 
 void CameraPanel::chooseBackgroundImage() {

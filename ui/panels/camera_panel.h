@@ -44,7 +44,7 @@ public:
 
 Q_SIGNALS:
   /// Emitted when the user wants to import a calibration.
-  void importRequested();
+  void calibrationImportRequested();
 
 private:
   void retranslateUi();

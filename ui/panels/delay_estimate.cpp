@@ -25,7 +25,7 @@ DelayEstimate::DelayEstimate(QWidget* parent)
   row->addWidget(keep_);
   connect(keep_, &QPushButton::clicked, this, [this] {
     if (estimate_) {
-      Q_EMIT delayAccepted(estimate_->delay);
+      Q_EMIT delayAccepted(estimate_->delaySeconds);
     }
   });
   onRetranslate(this, [this] { retranslateUi(); });
@@ -56,10 +56,10 @@ void DelayEstimate::refresh() {
   if (!estimate_) {
     return;
   }
-  const QString delay = millisecondsText(inMilliseconds(std::abs(estimate_->delay)));
+  const QString delay = millisecondsText(inMilliseconds(std::abs(estimate_->delaySeconds)));
   const QString sigma = millisecondsText(inMilliseconds(estimate_->delaySigma));
-  const QString text = estimate_->delay >= 0.0 ? tr("Estimate: %1 later than %2, ±%3")
-                                               : tr("Estimate: %1 earlier than %2, ±%3");
+  const QString text = estimate_->delaySeconds >= 0.0 ? tr("Estimate: %1 later than %2, ±%3")
+                                                      : tr("Estimate: %1 earlier than %2, ±%3");
   text_->setText(text.arg(delay, firstCamera_, sigma));
 }
 

@@ -37,7 +37,7 @@ void HistogramView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   double highest = 0.0;
   for (const ColorBar& bar : bars_) {
-    highest = std::max({highest, bar.reference, bar.candidate});
+    highest = std::max({highest, bar.referenceShare, bar.candidateShare});
   }
   if (highest <= 0.0) {
     return;
@@ -55,10 +55,10 @@ void HistogramView::paintEvent(QPaintEvent*) {
     const QColor color(bar.rgb[0], bar.rgb[1], bar.rgb[2]);
     painter.setPen(QPen(palette().color(QPalette::WindowText), 1.0));
     painter.setBrush(Qt::NoBrush);
-    painter.drawRect(place(k, 0, bar.reference));
+    painter.drawRect(place(k, 0, bar.referenceShare));
     painter.setBrush(color);
-    painter.drawRect(place(k, 1, bar.candidate));
-    painter.fillRect(place(k, 0, bar.reference)
+    painter.drawRect(place(k, 1, bar.candidateShare));
+    painter.fillRect(place(k, 0, bar.referenceShare)
                          .adjusted(2.0, 2.0, -2.0, 0.0)
                          .intersected(QRectF(0.0, height() - kBarMargin - 3.0, width(), 3.0)),
                      color); // which color the hollow bar stands for

@@ -41,7 +41,7 @@ void installParameters(const Workbench& bench) {
   ViewDock* dock = bench.docks.makeDock({.name = QStringLiteral("parameterDock"),
                                          .title = [] { return ParameterPanel::tr("Parameters"); },
                                          .content = scroll,
-                                         .rank = 0});
+                                         .orderInArea = 0});
   // The dock itself too: with a title bar of our own its minimum does not follow its content's.
   dock->setMinimumWidth(scroll->minimumWidth());
   QObject::connect(&bench.document, &Document::methodChanged, dock,
@@ -55,7 +55,7 @@ TargetDock installTargets(const Workbench& bench) {
   ViewDock* dock = bench.docks.makeDock({.name = QStringLiteral("targetDock"),
                                          .title = [] { return TargetPanel::tr("Target"); },
                                          .content = panel,
-                                         .rank = 2});
+                                         .orderInArea = 2});
   bench.connectView(panel);
   QObject::connect(panel, &TargetPanel::targetChosen, &bench.selection, &Selection::selectTarget);
   QObject::connect(&bench.selection, &Selection::targetSelected, panel, &TargetPanel::chooseTarget);
@@ -71,10 +71,10 @@ CameraPanel* installCameras(const Workbench& bench) {
   bench.docks.makeDock({.name = QStringLiteral("cameraListDock"),
                         .title = [] { return CameraPanel::tr("Cameras"); },
                         .content = panel,
-                        .rank = 4});
+                        .orderInArea = 4});
   bench.connectImageView(panel);
-  QObject::connect(panel, &CameraPanel::importRequested, bench.action("actionImportCalibration"),
-                   &QAction::trigger);
+  QObject::connect(panel, &CameraPanel::calibrationImportRequested,
+                   bench.action("actionImportCalibration"), &QAction::trigger);
   const BackgroundImageTaker* taker = &panel->backgroundImageTaker();
   QObject::connect(taker, &BackgroundImageTaker::failed, &bench.messages, &MessageBar::showError);
   QObject::connect(taker, &BackgroundImageTaker::messageRequested, &bench.messages,

@@ -27,10 +27,10 @@ QStandardItem* methodItem(const MethodTexts& words, MethodObstacle obstacle, boo
   auto* item = new QStandardItem(words.title);
   const QString why = methodObstacleText(obstacle);
   item->setData(words.name, Qt::UserRole);
-  item->setData(why.isEmpty() ? words.sentence : why, MethodChoice::DescriptionRole);
+  item->setData(why.isEmpty() ? words.description : why, MethodChoice::DescriptionRole);
   item->setData(words.paper, MethodChoice::PaperRole);
-  item->setData(why.isEmpty() ? words.sentence : why, Qt::ToolTipRole);
-  item->setData(why.isEmpty() ? words.sentence : why, Qt::AccessibleDescriptionRole);
+  item->setData(why.isEmpty() ? words.description : why, Qt::ToolTipRole);
+  item->setData(why.isEmpty() ? words.description : why, Qt::AccessibleDescriptionRole);
   if (!why.isEmpty() && !isChosen) {
     item->setFlags(Qt::NoItemFlags);
   }

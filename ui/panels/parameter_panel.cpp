@@ -79,15 +79,15 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
   setObjectName(QStringLiteral("parameterPanel"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  connect(&document_, &Document::replaced, this, &ParameterPanel::rebuild);
+  connect(&document_, &Document::projectReplaced, this, &ParameterPanel::rebuild);
   connect(&document_, &Document::methodChanged, this, &ParameterPanel::rebuild,
           Qt::QueuedConnection); // its own choice may be what changed it
   connect(&document_, &Document::parameterChanged, this, &ParameterPanel::showValue);
   connect(&document_, &Document::changed, this, [this](const ProjectChanges& changes) {
-    if (changes.method) {
+    if (changes.methodChanged) {
       return; // it is rebuilt
     }
-    if ((changes.calibration || changes.sources) && methods_ != nullptr) {
+    if ((changes.calibrationChanged || changes.sourcesChanged) && methods_ != nullptr) {
       methods_->showMethods(document_.project());
     }
     showMarks();
@@ -140,7 +140,7 @@ void ParameterPanel::addMethodChoice() {
   const MethodTexts words = methodTexts(*method);
   QLabel* sentence = smallLabel("methodSentence", form_);
   sentence->setForegroundRole(QPalette::WindowText);
-  sentence->setText(words.sentence);
+  sentence->setText(words.description);
   column_->addWidget(sentence);
   // A name as in files and on the command line, and one of a paper: in no language.
   QLabel* name = smallLabel("qt_methodName", form_);
@@ -171,7 +171,7 @@ void ParameterPanel::addEssentialRows() {
 }
 
 void ParameterPanel::addSections() {
-  if (document_.methodPresentation().searchesVolume) {
+  if (document_.methodPresentation().limitsSearchToVolume) {
     addVolume();
   }
   for (const ParameterGroup group : furtherGroups(document_.project().parameters)) {
@@ -195,7 +195,8 @@ void ParameterPanel::addVolume() {
   section->addWidget(new VolumeForm(document_, section));
   const auto show = [this, section] {
     const bool isSet = document_.project().volumeOfInterest.has_value();
-    section->setMark(isSet ? tr("Targets are searched for only inside a box.") : QString());
+    section->setAttentionHint(isSet ? tr("Targets are searched for only inside a box.")
+                                    : QString());
     if (isSet) {
       section->setOpen(true);
     }
@@ -247,7 +248,7 @@ void ParameterPanel::showMarks() {
     if (row == nullptr) {
       continue; // of a method whose form is still to come
     }
-    const bool isChanged = document_.isChanged(declaration);
+    const bool isChanged = document_.isParameterChanged(declaration);
     row->setChanged(isChanged, document_.defaultParameters().at(declaration.key));
     row->setNote(boundNote(document_.usedParameters(), declaration));
     if (isChanged) {
@@ -255,9 +256,9 @@ void ParameterPanel::showMarks() {
     }
   }
   for (const auto& [group, section] : sections_) {
-    section->setMark(marked.contains(group)
-                         ? tr("Some values in this group differ from their defaults.")
-                         : QString());
+    section->setAttentionHint(marked.contains(group)
+                                  ? tr("Some values in this group differ from their defaults.")
+                                  : QString());
   }
   if (resetAll_ != nullptr) {
     resetAll_->setEnabled(!marked.empty());

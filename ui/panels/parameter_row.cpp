@@ -27,10 +27,10 @@ namespace {
 constexpr int kSliderSteps = 1000;
 
 int decimalsFor(const ParameterDeclaration& declaration) {
-  if (declaration.kind == ParameterKind::Integer || declaration.step <= 0.0) {
+  if (declaration.kind == ParameterKind::Integer || declaration.stepSize <= 0.0) {
     return declaration.kind == ParameterKind::Integer ? 0 : 3;
   }
-  return std::clamp(static_cast<int>(std::ceil(-std::log10(declaration.step) - 1e-9)), 0, 6);
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(declaration.stepSize) - 1e-9)), 0, 6);
 }
 
 /// The unit as it stands behind a number; empty where there is none.
@@ -63,7 +63,7 @@ ParameterRow::ParameterRow(const ParameterDeclaration& declaration, QWidget* par
   slider_->setPageStep(kSliderSteps / 20);
   box_->setDecimals(decimalsFor(declaration));
   box_->setRange(declaration.minimum, declaration.maximum);
-  box_->setSingleStep(declaration.step > 0.0 ? declaration.step : 1.0);
+  box_->setSingleStep(declaration.stepSize > 0.0 ? declaration.stepSize : 1.0);
   box_->setKeyboardTracking(false);
   box_->setAlignment(Qt::AlignRight);
   box_->setMinimumWidth(112);
@@ -197,7 +197,7 @@ int ParameterRow::toSlider(double value) const {
 }
 
 QString ParameterRow::tooltip() const {
-  if (declaration_.derivedFromCameras) {
+  if (declaration_.isDerivedFromCameras) {
     return QCoreApplication::translate(
                "ParameterRow",
                "%1\nFrom %2 to %3%4; the default comes from the region that the cameras see.")

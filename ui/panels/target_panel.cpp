@@ -54,7 +54,7 @@ QString boxText(const TrackSnapshot& snapshot, const TargetSnapshot& target,
                   pixelText(estimate.box.height), numberText(estimate.similarity, 2),
                   numberText(estimate.effectiveSampleSize, 0),
                   QString::number(estimate.particleCount)) +
-         QLatin1Char('\n') + TargetPanel::tr("Spread %1").arg(pixelText(estimate.spread));
+         QLatin1Char('\n') + TargetPanel::tr("Spread %1").arg(pixelText(estimate.spreadPixels));
 }
 
 /// Of a ball, or of a ball of the same volume: as it is given, or else as it was found.
@@ -90,7 +90,7 @@ TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* 
   setObjectName(QStringLiteral("targetPanel"));
   makeFields(targets);
   onRetranslate(this, [this] { retranslateUi(); });
-  connect(&document_, &Document::replaced, this, &TargetPanel::refresh);
+  connect(&document_, &Document::projectReplaced, this, &TargetPanel::refresh);
   connect(&document_, &Document::targetsChanged, this, &TargetPanel::refresh);
   connect(&document_, &Document::methodChanged, this, &TargetPanel::refresh);
   connect(list_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
@@ -106,7 +106,7 @@ TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* 
   connect(name_, &QLineEdit::returnPressed, name_, &QWidget::clearFocus);
   connect(radius_, &QDoubleSpinBox::valueChanged, this, &TargetPanel::resizeTarget);
   connect(shape_, &QComboBox::activated, this, &TargetPanel::reshapeTarget);
-  connect(rows_, &TargetRowDelegate::eyeClicked, this, &TargetPanel::toggleTargetShown);
+  connect(rows_, &TargetRowDelegate::eyeIconClicked, this, &TargetPanel::toggleTargetShown);
 }
 
 void TargetPanel::makeFields(TargetListModel& targets) {
@@ -267,7 +267,7 @@ void TargetPanel::addSpeeds() {
 }
 
 QString TargetPanel::speedText(std::size_t target) const {
-  const auto speed = target < speeds_.size() && isHeld(snapshot_->targets[target].estimate)
+  const auto speed = target < speeds_.size() && isConfirmed(snapshot_->targets[target].estimate)
                          ? speeds_[target].metersPerSecond()
                          : std::nullopt;
   return speed ? tr("%1 m/s").arg(numberText(*speed, 2)) : QString();
@@ -277,7 +277,7 @@ void TargetPanel::showRows() {
   const auto& targets = document_.project().targets;
   const bool showsColors = !document_.methodPresentation().targetsAreBoxes;
   const std::vector<QColor> colors = targetColors(
-      displayColorSources(targets, document_.methodFamily()), displayGroundOf(palette()));
+      displayColorSources(targets, document_.methodFamily()), displayBackgroundOf(palette()));
   std::vector<TargetRow> rows;
   for (std::size_t k = 0; k < targets.size(); ++k) {
     TargetRow row;
@@ -287,12 +287,12 @@ void TargetPanel::showRows() {
       row.learnedColor = rangeColor(targets[k].color);
     }
     const bool isTracked = snapshot_ && k < snapshot_->targets.size();
-    row.size = isTracked     ? sizeText(targets[k], snapshot_->targets[k].estimate)
-               : showsColors ? radiusText(targets[k].radius, 0.0)
-                             : QString();
+    row.sizeText = isTracked     ? sizeText(targets[k], snapshot_->targets[k].estimate)
+                   : showsColors ? radiusText(targets[k].radius, 0.0)
+                                 : QString();
     if (isTracked) {
       row.state = trackingState(snapshot_->targets[k]);
-      row.speed = speedText(k);
+      row.speedText = speedText(k);
     }
     rows.push_back(row);
   }

@@ -80,7 +80,7 @@ void TargetRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
       *painter,
       QRectF(inner.left(), inner.center().y() - kSwatchSide / 2.0 + 0.5, kSwatchSide, kSwatchSide),
       row);
-  drawEye(*painter, eyeArea(option.rect), row.isShown,
+  drawEye(*painter, eyeIconArea(option.rect), row.isShown,
           ink(row.isShown ? QPalette::PlaceholderText : QPalette::Text));
   QRect line = inner.adjusted(kSwatchSide + kRowMargin, 0, -kEyeSide - kRowMargin, 0);
   line.setHeight(QFontMetrics(name).height());
@@ -99,16 +99,17 @@ void TargetRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
   const QFont digits = tabularFont(small); // the speed changes with every frame
   painter->setFont(digits);
   painter->setPen(ink(QPalette::Text));
-  painter->drawText(line, Qt::AlignRight | Qt::AlignVCenter, row.speed);
-  const int left = line.width() - QFontMetrics(digits).horizontalAdvance(row.speed) - kRowMargin;
+  painter->drawText(line, Qt::AlignRight | Qt::AlignVCenter, row.speedText);
+  const int left =
+      line.width() - QFontMetrics(digits).horizontalAdvance(row.speedText) - kRowMargin;
   painter->setFont(small);
   painter->setPen(ink(QPalette::PlaceholderText));
   painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                    QFontMetrics(small).elidedText(row.size, Qt::ElideRight, left));
+                    QFontMetrics(small).elidedText(row.sizeText, Qt::ElideRight, left));
   painter->restore();
 }
 
-QRect TargetRowDelegate::eyeArea(const QRect& row) {
+QRect TargetRowDelegate::eyeIconArea(const QRect& row) {
   QRect area(0, 0, kEyeSide, kEyeSide);
   area.moveCenter(row.center());
   area.moveRight(row.right() - kRowMargin);
@@ -122,9 +123,9 @@ bool TargetRowDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
       event->type() == QEvent::MouseButtonDblClick) {
     const auto* mouse = static_cast<QMouseEvent*>(event);
     if (mouse->button() == Qt::LeftButton &&
-        eyeArea(option.rect).contains(mouse->position().toPoint())) {
+        eyeIconArea(option.rect).contains(mouse->position().toPoint())) {
       if (isClick) {
-        Q_EMIT eyeClicked(index.row());
+        Q_EMIT eyeIconClicked(index.row());
       }
       return true;
     }
@@ -136,7 +137,7 @@ bool TargetRowDelegate::helpEvent(QHelpEvent* event, QAbstractItemView* view,
                                   const QStyleOptionViewItem& option, const QModelIndex& index) {
   const auto row = static_cast<std::size_t>(index.row());
   if (event->type() != QEvent::ToolTip || row >= rows_.size() ||
-      !eyeArea(option.rect).contains(event->pos())) {
+      !eyeIconArea(option.rect).contains(event->pos())) {
     return QStyledItemDelegate::helpEvent(event, view, option, index);
   }
   QToolTip::showText(event->globalPos(),

@@ -15,8 +15,8 @@ struct TargetRow {
   QColor identityColor;               ///< target color in all views
   std::optional<QColor> learnedColor; ///< learned target color; empty if the target needs no color
   std::optional<TrackingState> state; ///< empty without a run
-  QString size;
-  QString speed;       ///< empty if unknown
+  QString sizeText;
+  QString speedText;   ///< empty if unknown
   bool isShown = true; ///< whether the views draw the target
 
   bool operator==(const TargetRow&) const = default;
@@ -35,7 +35,7 @@ public:
   bool setRows(std::vector<TargetRow> rows);
   const std::vector<TargetRow>& rows() const { return rows_; }
   /// Returns the area of the eye symbol in a row of the list whose area is `row`.
-  static QRect eyeArea(const QRect& row);
+  static QRect eyeIconArea(const QRect& row);
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option,
              const QModelIndex& index) const override;
@@ -44,7 +44,7 @@ public:
                  const QModelIndex& index) override;
 
 Q_SIGNALS:
-  void eyeClicked(int row);
+  void eyeIconClicked(int row);
 
 protected:
   bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,

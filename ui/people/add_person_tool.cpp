@@ -29,15 +29,15 @@ void AddPersonTool::attachView(int camera, CameraView* view) {
   onRetranslate(layer, name);
   connect(&cameras_, &CameraListModel::dataChanged, layer, name);
   connect(layer, &QObject::destroyed, this, [this, layer] { std::erase(layers_, layer); });
-  connect(layer, &ImagePickOverlay::cancelled, this, &AddPersonTool::cancelled);
+  connect(layer, &ImagePickOverlay::canceled, this, &AddPersonTool::canceled);
   connect(layer, &ImagePickOverlay::picked, this, [this, camera](const QRectF& region) {
     const QPointF middle = region.center();
     Q_EMIT personClicked(camera, Eigen::Vector2d(middle.x(), middle.y()));
   });
 }
 
-void AddPersonTool::setPlacingPeople(bool placing, double floor) {
-  birdsEye_->setPlacingPeople(placing, floor);
+void AddPersonTool::setPersonPlacingMode(bool placing, double floor) {
+  birdsEye_->setPersonPlacingMode(placing, floor);
   for (ImagePickOverlay* layer : layers_) {
     layer->setPicking(placing);
     layer->setVisible(placing);

@@ -27,12 +27,12 @@ public:
   /// Adds a camera view, which may be deleted at any time.
   void attachView(int camera, CameraView* view);
   /// Starts or stops the tool. `floor` is the floor height, world z in meters.
-  void setPlacingPeople(bool placing, double floor = 0.0);
+  void setPersonPlacingMode(bool placing, double floor = 0.0);
 
 Q_SIGNALS:
   void personClicked(int camera, const Eigen::Vector2d& pixel);
   void floorClicked(const Eigen::Vector2d& place);
-  void cancelled();
+  void canceled();
 
 private:
   BirdsEyeView* birdsEye_;

@@ -59,9 +59,9 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
   dock_ = bench_.docks.makeDock({.name = QStringLiteral("peopleDock"),
                                  .title = [] { return tr("People"); },
                                  .content = panel_,
-                                 .rank = 1,
-                                 .hiddenAtFirst = true}); // until a method for people is chosen
-  dock_->setMinimumWidth(384);                            // room for all columns
+                                 .orderInArea = 1,
+                                 .isHiddenAtFirst = true}); // until a method for people is chosen
+  dock_->setMinimumWidth(384);                              // room for all columns
   bench_.connectView(panel_);
   connectPlacer(cameras);
   connectActions();
@@ -71,7 +71,7 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
     updateForMethod();
   });
   connect(&bench_.session, &SessionController::runEnded, this, [this] { ++run_; });
-  connect(&bench_.document, &Document::replaced, this, &PeopleDock::updateForMethod);
+  connect(&bench_.document, &Document::projectReplaced, this, &PeopleDock::updateForMethod);
   connect(&bench_.document, &Document::methodChanged, this, &PeopleDock::updateForMethod);
 }
 
@@ -92,14 +92,14 @@ void PeopleDock::connectPlacer(const CameraDocks& cameras) {
             correct(tr("Add a person"), {.position = where});
             place->setChecked(false);
           });
-  connect(addPersonTool_, &AddPersonTool::cancelled, place, [place] { place->setChecked(false); });
+  connect(addPersonTool_, &AddPersonTool::canceled, place, [place] { place->setChecked(false); });
 }
 
 void PeopleDock::connectActions() {
   bench_.onToggled("actionPlacePerson", this, [this](bool placing) { placePeople(placing); });
   bench_.onTriggered("actionRemovePerson", this, [this] {
     if (const auto place = placeOfPerson(bench_.session.shownSnapshot(), panel_->chosenPerson())) {
-      correct(tr("Remove a person"), {.position = *place, .present = false});
+      correct(tr("Remove a person"), {.position = *place, .isPresent = false});
     }
   });
   bench_.onToggled("actionShowVolumes", this, [this](bool shown) {
@@ -128,7 +128,7 @@ void PeopleDock::correct(const QString& step, PersonCorrection correction) {
 
 void PeopleDock::selectPersonAt(int camera, const QPointF& pixel) {
   const TrackSnapshotPtr& shown = bench_.session.shownSnapshot();
-  const int person = shown ? personSeenAt(*shown, camera, {pixel.x(), pixel.y()}) : -1;
+  const int person = shown ? personIndexAt(*shown, camera, {pixel.x(), pixel.y()}) : -1;
   if (person >= 0) {
     bench_.selection.selectTarget(person);
   }
@@ -142,9 +142,9 @@ void PeopleDock::updateForMethod() {
   if (!dock_->isHiddenByUser() == people || !bench_.session.isRunning()) {
     return;
   }
-  dock_->setShownByUser(people);
+  dock_->setShownByUserChoice(people);
   for (ViewDock* other : others_) {
-    other->setShownByUser(!people);
+    other->setShownByUserChoice(!people);
   }
   if (people) {
     dock_->raise();
@@ -153,8 +153,8 @@ void PeopleDock::updateForMethod() {
 
 void PeopleDock::placePeople(bool placing) {
   const bool can = placing && bench_.session.isRunning() && tracksPeople();
-  addPersonTool_->setPlacingPeople(can,
-                                   can ? bench_.document.project().parameters.at("floor_z") : 0.0);
+  addPersonTool_->setPersonPlacingMode(can, can ? bench_.document.project().parameters.at("floor_z")
+                                                : 0.0);
   const QString hint = tr("Click a person in a camera image, or the floor in the bird's-eye view. "
                           "Press Esc to cancel.");
   if (can) {

@@ -128,10 +128,11 @@ void PeoplePanel::retranslateUi() {
 }
 
 void PeoplePanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
-  const bool showsOtherFrame = !snapshot_ || !snapshot || snapshot->state != PlayState::Playing ||
-                               snapshot_->targets.size() != snapshot->targets.size();
+  const bool isAwayFromLiveFrame = !snapshot_ || !snapshot ||
+                                   snapshot->state != PlayState::Playing ||
+                                   snapshot_->targets.size() != snapshot->targets.size();
   snapshot_ = snapshot;
-  if (showsOtherFrame || !sinceRefresh_.isValid() || sinceRefresh_.elapsed() >= kRefreshMs) {
+  if (isAwayFromLiveFrame || !sinceRefresh_.isValid() || sinceRefresh_.elapsed() >= kRefreshMs) {
     refresh();
   }
 }
@@ -151,7 +152,7 @@ void PeoplePanel::showLearning() {
   learning_->setValue(static_cast<int>(std::lround(100.0 * least)));
   const int count = peopleCount(*snapshot_);
   summary_->setText(
-      learns ? tr("Learning the background: %1 %. Keep the scene empty.").arg(percentText(least))
+      learns ? tr("Learning the background: %1 %. Keep the scene empty.").arg(percentNumber(least))
       : count == 0 ? tr("Nobody is in view. People appear when two cameras see them.")
                    : tr("People in view: %1").arg(QLocale().toString(count)));
 }
@@ -200,7 +201,7 @@ void PeoplePanel::showRow(int row, const TargetSnapshot& target, const PersonEst
   QTableWidgetItem* first = table_->item(row, kPerson);
   if (first->data(Qt::UserRole).toInt() != person.identity) {
     first->setData(Qt::UserRole, person.identity);
-    first->setIcon(colorChip(targetColor(target.target.name, person.identity - 1), 12));
+    first->setIcon(makeColorChip(targetColor(target.target.name, person.identity - 1), 12));
     first->setData(Qt::AccessibleTextRole, QString::fromStdString(target.target.name));
   }
   const auto meters = [](double length) {
@@ -215,9 +216,9 @@ void PeoplePanel::showRow(int row, const TargetSnapshot& target, const PersonEst
       QStringLiteral("%1/%2").arg(person.seeingCameraCount).arg(snapshot_->peopleCameras.size()));
   setCell(row, kVolume,
           target.shape ? numberText(target.shape->volume, 2, NumberForm::Rounded) : QString());
-  setCell(row, kSince, numberText(person.age, 0, NumberForm::Rounded));
-  setCell(row, kNear, person.interacting ? QStringLiteral("●") : QString(),
-          person.interacting ? tr("Another person is close") : QString());
+  setCell(row, kSince, numberText(person.ageSeconds, 0, NumberForm::Rounded));
+  setCell(row, kNear, person.isInteracting ? QStringLiteral("●") : QString(),
+          person.isInteracting ? tr("Another person is close") : QString());
 }
 
 void PeoplePanel::selectRow(int target) {

@@ -95,7 +95,7 @@ void FrameConvergence::updateTitle() {
                       .arg(QLocale().toString(std::max<std::int64_t>(0, frame_) + 1), unit));
 }
 
-void FrameConvergence::setTracksBoxes(bool boxes) {
+void FrameConvergence::setTargetIsBox(bool boxes) {
   if (boxes != boxes_) {
     boxes_ = boxes;
     declarePlot();
@@ -120,7 +120,7 @@ void FrameConvergence::showFrame(const PlotSeries& run, std::optional<std::int64
   for (std::size_t row = first; row < last; ++row) {
     const PlotSeries::Row& its = run.row(row);
     const auto spread = static_cast<float>(particleSpreadOf(run, row));
-    series_.append({static_cast<std::int64_t>(row - first) + 1, its.frame, its.time},
+    series_.append({static_cast<std::int64_t>(row - first) + 1, its.frame, its.seconds},
                    std::span(&spread, 1));
   }
   frame_ = run.row(first).frame;

@@ -23,7 +23,7 @@ public:
 
   /// Sets whether the target is a bounding box, whose spread is in pixels. Otherwise the spread is
   /// in meters.
-  void setTracksBoxes(bool boxes);
+  void setTargetIsBox(bool boxes);
   /// Shows the iterations of a frame of this run, or of the newest frame if `frame` is empty. Hides
   /// the plot unless this frame, or a frame shortly before, has more than one iteration.
   void showFrame(const PlotSeries& run, std::optional<std::int64_t> frame);

@@ -10,7 +10,7 @@ bool PlotAxisRange::setAxis(PlotAxis axis) {
     return false;
   }
   axis_ = axis;
-  showAll();
+  showWholeRun();
   return true;
 }
 
@@ -32,11 +32,11 @@ PlotAxisRange::Range PlotAxisRange::shownRange(const PlotSeries* series) const {
   return {shownRange_->first + moved, shownRange_->second + moved};
 }
 
-PlotAxisRange::Range PlotAxisRange::advance(const PlotSeries* series) {
+PlotAxisRange::Range PlotAxisRange::followNewestData(const PlotSeries* series) {
   if (shownRange_ && series != nullptr && series->size() > 0) {
     const double newest = series->axisPosition(series->size() - 1, axis_);
     if (newest < newest_ && newest < shownRange_->first) {
-      showAll();
+      showWholeRun();
     }
     newest_ = newest;
   }
@@ -47,7 +47,7 @@ PlotAxisRange::Range PlotAxisRange::advance(const PlotSeries* series) {
   return now;
 }
 
-void PlotAxisRange::showAll() {
+void PlotAxisRange::showWholeRun() {
   shownRange_.reset();
   following_ = false;
 }
@@ -60,7 +60,7 @@ void PlotAxisRange::showRange(const PlotSeries* series, double lower, double upp
   const double last = series->axisPosition(series->size() - 1, axis_);
   const double width = std::max(axis_ == PlotAxis::Time ? 0.1 : 4.0, upper - lower);
   if (width >= end - first) {
-    showAll();
+    showWholeRun();
     return;
   }
   // Never beyond the run; a part that reaches the newest frame moves along with it.

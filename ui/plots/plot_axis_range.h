@@ -27,9 +27,9 @@ public:
   /// Updates the range after new data were added, and returns the range to show. A range that
   /// includes the newest data moves along. Shows the whole run again if the run went back to before
   /// the range shown.
-  Range advance(const PlotSeries* series);
-  bool showsAll() const { return !shownRange_.has_value(); }
-  void showAll();
+  Range followNewestData(const PlotSeries* series);
+  bool showsWholeRun() const { return !shownRange_.has_value(); }
+  void showWholeRun();
   /// Shows the range from `lower` to `upper`, limited to the run and extended to a readable minimum
   /// length if necessary.
   void showRange(const PlotSeries* series, double lower, double upper);

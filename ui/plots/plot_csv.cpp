@@ -10,7 +10,8 @@ namespace dewpoint::ui {
 namespace {
 
 bool isTruthKnown(const PlotSeries& series, const CurveDeclaration& curve) {
-  return curve.truth && *curve.truth < series.columnCount() && series.isColumnKnown(*curve.truth);
+  return curve.truth && *curve.truth < series.columnCount() &&
+         series.hasValuesInColumn(*curve.truth);
 }
 
 double written(double value, PlotQuantity quantity) {
@@ -40,7 +41,7 @@ std::string plotCsv(const std::vector<std::unique_ptr<PlotRow>>& rows, const Plo
     }
     const PlotSeries::Row& at = series.row(index);
     CsvLine line(text);
-    line.put(at.iteration).put(at.frame).put(at.time);
+    line.put(at.iteration).put(at.frame).put(at.seconds);
     for (const auto& row : rows) {
       for (const CurveDeclaration& curve : row->declaration().curves) {
         line.put(written(series.value(index, curve.column), row->declaration().quantity));

@@ -21,8 +21,8 @@ PlotPanel* installPlots(const Workbench& bench) {
                                          .title = [] { return PlotPanel::tr("Plots"); },
                                          .content = panel,
                                          .area = DockArea::Plots,
-                                         .rank = 0});
-  dock->title().addTool(panel->makeTools(&dock->title()));
+                                         .orderInArea = 0});
+  dock->title().addTool(panel->makeTitleTools(&dock->title()));
   bench.connectView(panel);
   QObject::connect(&bench.session, &SessionController::iterationsLogged, panel,
                    [panel](const LoggedIterations& iterations) {
@@ -31,9 +31,9 @@ PlotPanel* installPlots(const Workbench& bench) {
                      }
                      panel->append(iterations.records);
                    });
-  QObject::connect(&bench.document, &Document::replaced, &panel->stack(), &PlotStack::showAll);
-  QObject::connect(&bench.session, &SessionController::restarting, &panel->stack(),
-                   &PlotStack::showAll);
+  QObject::connect(&bench.document, &Document::projectReplaced, &panel->stack(), &PlotStack::showWholeRun);
+  QObject::connect(&bench.session, &SessionController::runAboutToRestart, &panel->stack(),
+                   &PlotStack::showWholeRun);
   QObject::connect(panel, &PlotPanel::noticeRequested, &bench.messages, &MessageBar::showNotice);
   QObject::connect(panel, &PlotPanel::failed, &bench.messages, &MessageBar::showError);
   return panel;

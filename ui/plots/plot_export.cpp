@@ -21,8 +21,8 @@ std::string PlotExport::csv() const {
                            : plotCsv(rows_, PlotSeries(), navigation_.axis(), {});
 }
 
-PlotImage PlotExport::image(bool asDrawing) const {
-  PlotImage drawn = PlotFigure(plot_, rows_, navigation_.axis(), cursor_).draw(asDrawing);
+PlotImage PlotExport::image(bool asSvg) const {
+  PlotImage drawn = PlotFigure(plot_, rows_, navigation_.axis(), cursor_).draw(asSvg);
   drawAgain_();
   return drawn;
 }

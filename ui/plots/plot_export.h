@@ -24,9 +24,9 @@ public:
   /// Returns the curves within the range shown as CSV, one line per row. All data points are
   /// included.
   std::string csv() const;
-  /// Returns the plots as a figure for publication: as SVG if `asDrawing` is true, otherwise as
+  /// Returns the plots as a figure for publication: as SVG if `asSvg` is true, otherwise as
   /// pixels.
-  PlotImage image(bool asDrawing) const;
+  PlotImage image(bool asSvg) const;
 
 private:
   QCustomPlot& plot_;

@@ -50,16 +50,16 @@ void PlotFigure::setPaintedForFigure(bool figure) {
                      cursor_.currentPosition.has_value());
 }
 
-PlotImage PlotFigure::draw(bool asDrawing) {
+PlotImage PlotFigure::draw(bool asSvg) {
   PlotImage picture;
   const int rows = static_cast<int>(rows_.size());
   const QSize size(plot_.width(),
                    std::max(plot_.height(), rows * kFigureRowHeight) + kFigureAxisHeight);
-  if (!asDrawing) {
+  if (!asSvg) {
     picture.pixels = plot_.toPixmap(size.width(), size.height(), kPngScale).toImage();
     return picture;
   }
-  QBuffer buffer(&picture.drawing);
+  QBuffer buffer(&picture.svg);
   buffer.open(QIODevice::WriteOnly);
   QSvgGenerator generator;
   generator.setOutputDevice(&buffer);
@@ -82,8 +82,7 @@ bool PlotImage::save(const QString& file) const {
   if (!out.open(QIODevice::WriteOnly)) {
     return false;
   }
-  const bool written =
-      drawing.isEmpty() ? pixels.save(&out, "PNG") : out.write(drawing) == drawing.size();
+  const bool written = svg.isEmpty() ? pixels.save(&out, "PNG") : out.write(svg) == svg.size();
   return written && out.commit();
 }
 

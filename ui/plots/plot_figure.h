@@ -20,7 +20,7 @@ class PlotRow;
 
 /// Drawn plots, as SVG or as pixels, ready to be written to a file.
 struct PlotImage {
-  QByteArray drawing; ///< SVG; if empty, `pixels` is used
+  QByteArray svg; ///< SVG; if empty, `pixels` is used
   QImage pixels;
 
   /// Writes SVG if there is any, otherwise PNG. Returns false on failure. May be called from any
@@ -40,8 +40,8 @@ public:
   PlotFigure(const PlotFigure&) = delete;
   PlotFigure& operator=(const PlotFigure&) = delete;
 
-  /// Returns the figure: as SVG if `asDrawing` is true, otherwise as pixels.
-  PlotImage draw(bool asDrawing);
+  /// Returns the figure: as SVG if `asSvg` is true, otherwise as pixels.
+  PlotImage draw(bool asSvg);
 
 private:
   void setPaintedForFigure(bool figure);

@@ -3,8 +3,8 @@
 
 namespace dewpoint::ui {
 
-void PlotNavigation::showAll() {
-  range_.showAll();
+void PlotNavigation::showWholeRun() {
+  range_.showWholeRun();
   Q_EMIT shownRangeChanged();
 }
 
@@ -25,7 +25,7 @@ void PlotNavigation::zoom(double factor, std::optional<double> about) {
 void PlotNavigation::pan(double share) {
   const auto [lower, upper] = shownRange();
   const double moved = (upper - lower) * share;
-  if (!range_.showsAll()) {
+  if (!range_.showsWholeRun()) {
     showRange(lower + moved, upper + moved);
   }
 }

@@ -35,10 +35,10 @@ public:
   std::pair<double, double> shownRange() const { return range_.shownRange(series_); }
   /// Updates the visible part of the axis after new data were added, and returns it. A part that
   /// includes the newest data moves along.
-  std::pair<double, double> advance() { return range_.advance(series_); }
-  bool showsAll() const { return range_.showsAll(); }
+  std::pair<double, double> followNewestData() { return range_.followNewestData(series_); }
+  bool showsWholeRun() const { return range_.showsWholeRun(); }
   /// Shows the whole run again.
-  void showAll();
+  void showWholeRun();
   /// Shows this part of the axis.
   void showRange(double lower, double upper);
   /// Zooms in by `factor` (above 1; below 1 zooms out) around the position `about` on the axis; if

@@ -85,13 +85,13 @@ void PlotPanel::connectActions() {
   const auto show = [this](bool time) {
     stack_->setAxis(time ? PlotAxis::Time : PlotAxis::Iterations);
   };
-  overTime->setChecked(Preferences().plotsOverTime());
+  overTime->setChecked(Preferences().showsPlotsOverTime());
   show(overTime->isChecked());
   connect(overTime, &QAction::toggled, this, [show](bool time) {
     show(time);
-    Preferences().setPlotsOverTime(time); // only what the user chose is stored
+    Preferences().setShowsPlotsOverTime(time); // only what the user chose is stored
   });
-  connect(actions_.action("actionPlotAll"), &QAction::triggered, stack_, &PlotStack::showAll);
+  connect(actions_.action("actionPlotAll"), &QAction::triggered, stack_, &PlotStack::showWholeRun);
   connect(actions_.action("actionPlotCopy"), &QAction::triggered, this, &PlotPanel::copyCsv);
   connect(actions_.action("actionPlotSave"), &QAction::triggered, this,
           &PlotPanel::chooseImageFile);
@@ -125,7 +125,7 @@ void PlotPanel::saveShownPlots() {
   stack_->setShownPlots(chosen);
 }
 
-QWidget* PlotPanel::makeTools(QWidget* parent) {
+QWidget* PlotPanel::makeTitleTools(QWidget* parent) {
   auto* tools = new QWidget(parent);
   tools->setObjectName(QStringLiteral("plotTools"));
   auto* row = new QHBoxLayout(tools);
@@ -182,7 +182,7 @@ QWidget* PlotPanel::makeTools(QWidget* parent) {
 PlotSeries& PlotPanel::seriesOf(int target) {
   while (series_.size() <= static_cast<std::size_t>(target)) {
     series_.push_back(std::make_unique<PlotSeries>());
-    series_.back()->reset(runPlotColumnCount(static_cast<int>(cameras_.size())));
+    series_.back()->reset(columnCountOfRunPlots(static_cast<int>(cameras_.size())));
   }
   return *series_[static_cast<std::size_t>(target)];
 }
@@ -203,7 +203,7 @@ void PlotPanel::append(const std::vector<IterationRecord>& records) {
 }
 
 void PlotPanel::clear() {
-  const std::size_t columns = runPlotColumnCount(static_cast<int>(cameras_.size()));
+  const std::size_t columns = columnCountOfRunPlots(static_cast<int>(cameras_.size()));
   for (const auto& series : series_) {
     series->reset(columns);
   }
@@ -220,7 +220,7 @@ void PlotPanel::updateTargetName() {
 }
 
 void PlotPanel::updateCameras() {
-  stack_->setPlots(showsBoxes_ ? boxRunPlots() : runPlots(cameras_));
+  stack_->setPlots(showsBoxes_ ? plotsOfBoxRun() : plotsOfRun(cameras_));
 }
 
 void PlotPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
@@ -241,9 +241,9 @@ void PlotPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
     showsBoxes_ = resultsAreBoxes;
     cameras_ = cameras;
     for (const auto& series : series_) {
-      series->reset(runPlotColumnCount(static_cast<int>(cameras_.size())));
+      series->reset(columnCountOfRunPlots(static_cast<int>(cameras_.size())));
     }
-    convergence_->setTracksBoxes(resultsAreBoxes);
+    convergence_->setTargetIsBox(resultsAreBoxes);
     updateCameras();
   }
 }
@@ -285,18 +285,17 @@ void PlotPanel::chooseImageFile() {
 }
 
 void PlotPanel::savePicture(const QString& file) {
-  const bool asDrawing = file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
-  files_.add(
-      [this, file, picture = stack_->plotExport().image(asDrawing)]() -> std::function<void()> {
-        const bool saved = picture.save(file);
-        return [this, file, saved] {
-          if (saved) {
-            Q_EMIT noticeRequested(tr("Saved %1.").arg(file));
-          } else {
-            Q_EMIT failed(tr("%1 could not be written.").arg(file));
-          }
-        };
-      });
+  const bool asSvg = file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
+  files_.add([this, file, picture = stack_->plotExport().image(asSvg)]() -> std::function<void()> {
+    const bool saved = picture.save(file);
+    return [this, file, saved] {
+      if (saved) {
+        Q_EMIT noticeRequested(tr("Saved %1.").arg(file));
+      } else {
+        Q_EMIT failed(tr("%1 could not be written.").arg(file));
+      }
+    };
+  });
 }
 
 } // namespace dewpoint::ui

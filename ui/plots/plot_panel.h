@@ -52,7 +52,7 @@ public:
   PlotStack& stack() { return *stack_; }
 
   /// Creates the widget for the dock title, with buttons and the position of the cursor as text.
-  QWidget* makeTools(QWidget* parent);
+  QWidget* makeTitleTools(QWidget* parent);
   void copyCsv();
   /// Writes the plots as SVG or PNG, depending on the suffix, in another thread. Emits
   /// `noticeRequested()` or `failed()` afterwards.

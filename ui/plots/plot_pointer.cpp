@@ -51,7 +51,7 @@ bool PlotPointer::eventFilter(QObject*, QEvent* event) {
     return true;
   case QEvent::MouseButtonDblClick:
     drag_ = Drag::None;
-    navigation_.showAll();
+    navigation_.showWholeRun();
     return true;
   case QEvent::Wheel:
     // QCustomPlot accepts every turn of the wheel; ignored here, it goes on to the scroll area.
@@ -192,7 +192,7 @@ bool PlotPointer::handleKey(QKeyEvent* event) {
     navigation_.zoom(1.0 / kWheelZoom);
     return true;
   case Qt::Key_Backspace:
-    navigation_.showAll();
+    navigation_.showWholeRun();
     return true;
   case Qt::Key_Return:
   case Qt::Key_Enter:

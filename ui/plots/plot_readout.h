@@ -40,7 +40,7 @@ public:
   void setWidth(int width);
   void setValues(std::vector<double> values) { values_ = std::move(values); }
   /// Sets whether a ground truth is known. If so, the readout has an entry for it.
-  void setTruthKnown(bool known) { truthKnown_ = known; }
+  void setHasGroundTruth(bool known) { truthKnown_ = known; }
   /// Returns values of a plot's curves as text: "x 12 mm, y 9 mm".
   static QString textOf(const PlotDeclaration& plot, const std::vector<double>& values);
 

@@ -59,7 +59,7 @@ PlotRow::Extremes::Extremes()
     : minimum(std::numeric_limits<double>::infinity()),
       maximum(-std::numeric_limits<double>::infinity()) {}
 
-void PlotRow::Extremes::add(const Extremes& other) {
+void PlotRow::Extremes::extendBy(const Extremes& other) {
   minimum = std::min(minimum, other.minimum);
   maximum = std::max(maximum, other.maximum);
   pointCount += other.pointCount;
@@ -72,7 +72,7 @@ PlotRow::PlotRow(QCustomPlot* plot, const PlotDeclaration& declaration, int layo
   plot->plotLayout()->addElement(layoutRow, 0, caption_);
   plot->plotLayout()->addElement(layoutRow, 1, rect_);
   plot->plotLayout()->addElement(layoutRow, 2, readout_);
-  plot->plotLayout()->setRowStretchFactor(layoutRow, heightShare());
+  plot->plotLayout()->setRowStretchFactor(layoutRow, heightWeight());
   rect_->setMarginGroup(QCP::msLeft, margins);
   rect_->setAutoMargins(QCP::msLeft); // no row needs room for the numbers of the shared axis
   rect_->setMargins(QMargins(0, kGapPx, kGapPx, kGapPx));
@@ -94,25 +94,25 @@ QCPGraph* PlotRow::addGraph(const QString& name) {
 }
 
 void PlotRow::addGraphs() {
-  drawn_.resize(declaration_->curves.size());
+  graphs_.resize(declaration_->curves.size());
   // Bands lie below all lines, and the truth below the curves.
-  for (std::size_t k = 0; k < drawn_.size(); ++k) {
+  for (std::size_t k = 0; k < graphs_.size(); ++k) {
     const CurveDeclaration& curve = declaration_->curves[k];
     if (curve.deviation) {
-      drawn_[k].bandLower = addGraph(curve.name);
-      drawn_[k].bandUpper = addGraph(curve.name);
-      drawn_[k].bandLower->setPen(Qt::NoPen);
-      drawn_[k].bandUpper->setPen(Qt::NoPen);
-      drawn_[k].bandUpper->setChannelFillGraph(drawn_[k].bandLower);
+      graphs_[k].lowerBandEdge = addGraph(curve.name);
+      graphs_[k].upperBandEdge = addGraph(curve.name);
+      graphs_[k].lowerBandEdge->setPen(Qt::NoPen);
+      graphs_[k].upperBandEdge->setPen(Qt::NoPen);
+      graphs_[k].upperBandEdge->setChannelFillGraph(graphs_[k].lowerBandEdge);
     }
   }
-  for (std::size_t k = 0; k < drawn_.size(); ++k) {
+  for (std::size_t k = 0; k < graphs_.size(); ++k) {
     if (declaration_->curves[k].truth) {
-      drawn_[k].truth = addGraph(declaration_->curves[k].name);
+      graphs_[k].truthCurve = addGraph(declaration_->curves[k].name);
     }
   }
-  for (std::size_t k = 0; k < drawn_.size(); ++k) {
-    drawn_[k].curve = addGraph(declaration_->curves[k].name);
+  for (std::size_t k = 0; k < graphs_.size(); ++k) {
+    graphs_[k].curve = addGraph(declaration_->curves[k].name);
   }
 }
 
@@ -148,11 +148,11 @@ void PlotRow::prepareAxes() {
 int PlotRow::minimumHeightFor(const QFont& font) const {
   const int line = PlotReadout::lineHeight(font);
   const int lines = std::max(kCaptionLines, PlotReadout::lineCount(*declaration_));
-  return static_cast<int>(std::lround(heightShare() * (kCaptionLines * line + 2 * kGapPx))) +
+  return static_cast<int>(std::lround(heightWeight() * (kCaptionLines * line + 2 * kGapPx))) +
          std::max(0, lines - kCaptionLines) * line;
 }
 
-double PlotRow::heightShare() const {
+double PlotRow::heightWeight() const {
   return isPosition(declaration_->quantity) && declaration_->curves.size() > 1 ? kPositionShare
                                                                                : 1.0;
 }
@@ -168,19 +168,20 @@ void PlotRow::updateMaxTicks() {
 
 PlotRow::Extremes PlotRow::draw(QCPGraph* graph, const PlotSeries& series, PlotAxis axis,
                                 std::size_t column,
-                                const std::optional<PlotSeries::Offset>& offset) const {
+                                const std::optional<PlotSeries::ColumnOffset>& offset) const {
   Extremes extremes;
   const QCPRange range = xAxis()->range();
   const bool known =
       column < series.columnCount() && (!offset || offset->column < series.columnCount());
-  const PlotSeries::Line line = known ? series.line(column, axis, range.lower, range.upper,
-                                                    std::max(50, rect_->width()), offset)
-                                      : PlotSeries::Line{};
-  QVector<QCPGraphData> points(static_cast<qsizetype>(line.keys.size()));
+  const PlotSeries::CurvePoints line =
+      known ? series.curvePoints(column, axis, range.lower, range.upper,
+                                 std::max(50, rect_->width()), offset)
+            : PlotSeries::CurvePoints{};
+  QVector<QCPGraphData> points(static_cast<qsizetype>(line.axisPositions.size()));
   for (qsizetype i = 0; i < points.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const double value = valueInAxisUnit(declaration_->quantity, line.values[at]);
-    points[i] = {line.keys[at], std::isnan(line.values[at]) ? line.values[at] : value};
+    points[i] = {line.axisPositions[at], std::isnan(line.values[at]) ? line.values[at] : value};
     if (std::isfinite(line.values[at])) {
       extremes.minimum = std::min(extremes.minimum, value);
       extremes.maximum = std::max(extremes.maximum, value);
@@ -203,28 +204,28 @@ void PlotRow::fill(const PlotSeries& series, PlotAxis axis) {
   Extremes values;
   Extremes bands;
   bool truthKnown = false;
-  for (std::size_t k = 0; k < drawn_.size(); ++k) {
+  for (std::size_t k = 0; k < graphs_.size(); ++k) {
     const CurveDeclaration& curve = declaration_->curves[k];
-    const Drawn& drawn = drawn_[k];
+    const CurveGraphs& drawn = graphs_[k];
     const Extremes its = draw(drawn.curve, series, axis, curve.column);
     const bool few = its.pointCount > 0 && its.pointCount <= kMaxDots;
     const QColor color = drawn.curve->pen().color();
     drawn.curve->setScatterStyle(
         few ? QCPScatterStyle(QCPScatterStyle::ssDisc, color, color, kDotSize) : QCPScatterStyle());
-    values.add(its);
+    values.extendBy(its);
     if (curve.deviation) {
-      bands.add(draw(drawn.bandLower, series, axis, curve.column,
-                     PlotSeries::Offset{*curve.deviation, -kDeviations}));
-      bands.add(draw(drawn.bandUpper, series, axis, curve.column,
-                     PlotSeries::Offset{*curve.deviation, kDeviations}));
+      bands.extendBy(draw(drawn.lowerBandEdge, series, axis, curve.column,
+                          PlotSeries::ColumnOffset{*curve.deviation, -kDeviations}));
+      bands.extendBy(draw(drawn.upperBandEdge, series, axis, curve.column,
+                          PlotSeries::ColumnOffset{*curve.deviation, kDeviations}));
     }
     if (curve.truth) {
-      values.add(draw(drawn.truth, series, axis, *curve.truth));
-      truthKnown =
-          truthKnown || (*curve.truth < series.columnCount() && series.isColumnKnown(*curve.truth));
+      values.extendBy(draw(drawn.truthCurve, series, axis, *curve.truth));
+      truthKnown = truthKnown ||
+                   (*curve.truth < series.columnCount() && series.hasValuesInColumn(*curve.truth));
     }
   }
-  readout_->setTruthKnown(truthKnown);
+  readout_->setHasGroundTruth(truthKnown);
   updateMaxTicks();
   if (values.hasValues()) {
     fit(values, bands);
@@ -305,28 +306,29 @@ void PlotRow::applyPalette(const QPalette& palette, const QFont& font) {
     axis->grid()->setZeroLinePen(Qt::NoPen);
     axis->grid()->setAntialiased(false);
   }
-  for (std::size_t k = 0; k < drawn_.size(); ++k) {
+  for (std::size_t k = 0; k < graphs_.size(); ++k) {
     const QColor color = curveColor(declaration_->curves[k].colorIndex, text);
-    drawn_[k].curve->setPen(QPen(color, kCurveWidth));
-    if (drawn_[k].bandUpper != nullptr) {
+    graphs_[k].curve->setPen(QPen(color, kCurveWidth));
+    if (graphs_[k].upperBandEdge != nullptr) {
       QColor faint = color;
       faint.setAlpha(kBandAlpha);
-      drawn_[k].bandUpper->setBrush(faint);
+      graphs_[k].upperBandEdge->setBrush(faint);
     }
-    if (drawn_[k].truth != nullptr) {
+    if (graphs_[k].truthCurve != nullptr) {
       QColor quiet = text;
       quiet.setAlpha(kTruthAlpha);
-      drawn_[k].truth->setPen(QPen(quiet, kTruthWidth, Qt::DashLine));
+      graphs_[k].truthCurve->setPen(QPen(quiet, kTruthWidth, Qt::DashLine));
     }
   }
 }
 
 void PlotRow::setDrawnForFigure(bool figure) {
-  for (const Drawn& drawn : drawn_) {
+  for (const CurveGraphs& drawn : graphs_) {
     QPen pen = drawn.curve->pen();
     pen.setWidthF(figure ? kFigureWidth : kCurveWidth);
     drawn.curve->setPen(pen);
-    for (QCPGraph* graph : {drawn.curve, drawn.bandLower, drawn.bandUpper, drawn.truth}) {
+    for (QCPGraph* graph :
+         {drawn.curve, drawn.lowerBandEdge, drawn.upperBandEdge, drawn.truthCurve}) {
       if (graph != nullptr) {
         graph->setAntialiased(true);
       }
@@ -344,7 +346,7 @@ int PlotRow::pointCount() const {
 
 bool PlotRow::hasDots() const {
   return std::ranges::any_of(
-      drawn_, [](const Drawn& drawn) { return !drawn.curve->scatterStyle().isNone(); });
+      graphs_, [](const CurveGraphs& drawn) { return !drawn.curve->scatterStyle().isNone(); });
 }
 
 } // namespace dewpoint::ui

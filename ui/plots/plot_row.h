@@ -35,7 +35,7 @@ public:
   /// readable.
   int minimumHeightFor(const QFont& font) const;
   /// Returns the weight with which the row shares the total height with other rows.
-  double heightShare() const;
+  double heightWeight() const;
   /// Draws the data within the range of the x axis, and adjusts the y axis to the data.
   void fill(const PlotSeries& series, PlotAxis axis);
   void showValues(const PlotSeries& series, std::optional<std::size_t> row);
@@ -52,16 +52,16 @@ public:
 private:
   std::vector<double> valuesOf(const PlotSeries& series, std::optional<std::size_t> row) const;
   /// Graphs of one curve; null for a graph that the curve does not have.
-  struct Drawn {
+  struct CurveGraphs {
     QCPGraph* curve = nullptr;
-    QCPGraph* bandLower = nullptr;
-    QCPGraph* bandUpper = nullptr;
-    QCPGraph* truth = nullptr;
+    QCPGraph* lowerBandEdge = nullptr;
+    QCPGraph* upperBandEdge = nullptr;
+    QCPGraph* truthCurve = nullptr;
   };
   /// Minimum and maximum drawn values.
   struct Extremes {
     Extremes();
-    void add(const Extremes& other);
+    void extendBy(const Extremes& other);
     bool hasValues() const { return minimum <= maximum; }
 
     double minimum;
@@ -71,7 +71,7 @@ private:
   QCPGraph* addGraph(const QString& name);
   void addGraphs();
   Extremes draw(QCPGraph* graph, const PlotSeries& series, PlotAxis axis, std::size_t column,
-                const std::optional<PlotSeries::Offset>& offset = std::nullopt) const;
+                const std::optional<PlotSeries::ColumnOffset>& offset = std::nullopt) const;
   void fit(const Extremes& values, const Extremes& bands);
   void prepareAxes();
   void updateMaxTicks();
@@ -81,7 +81,7 @@ private:
   PlotCaption* caption_;
   QCPAxisRect* rect_;
   PlotReadout* readout_;
-  std::vector<Drawn> drawn_; ///< in the order of the declared curves
+  std::vector<CurveGraphs> graphs_; ///< in the order of the declared curves
 };
 
 } // namespace dewpoint::ui

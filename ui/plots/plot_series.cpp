@@ -21,7 +21,7 @@ public:
     }
     any_ = true;
   }
-  void writeTo(PlotSeries::Line& line) {
+  void writeTo(PlotSeries::CurvePoints& line) {
     if (any_) {
       const bool rising = least_.key <= most_.key;
       put(line, rising ? least_ : most_);
@@ -37,8 +37,8 @@ private:
     double key = 0.0;
     double value = 0.0;
   };
-  static void put(PlotSeries::Line& line, const Point& point) {
-    line.keys.push_back(point.key);
+  static void put(PlotSeries::CurvePoints& line, const Point& point) {
+    line.axisPositions.push_back(point.key);
     line.values.push_back(point.value);
   }
 
@@ -92,7 +92,8 @@ void PlotSeries::thin() {
 }
 
 double PlotSeries::axisPosition(std::size_t index, PlotAxis axis) const {
-  return axis == PlotAxis::Time ? rows_[index].time : static_cast<double>(rows_[index].iteration);
+  return axis == PlotAxis::Time ? rows_[index].seconds
+                                : static_cast<double>(rows_[index].iteration);
 }
 
 bool PlotSeries::isRowDrawn(std::size_t index, PlotAxis axis) const {
@@ -103,7 +104,7 @@ bool PlotSeries::isRowDrawn(std::size_t index, PlotAxis axis) const {
 std::pair<std::size_t, std::size_t> PlotSeries::rowsWithin(PlotAxis axis, double lower,
                                                            double upper) const {
   const auto keyOf = [axis](const Row& row) {
-    return axis == PlotAxis::Time ? row.time : static_cast<double>(row.iteration);
+    return axis == PlotAxis::Time ? row.seconds : static_cast<double>(row.iteration);
   };
   const auto first = std::ranges::lower_bound(rows_, lower, {}, keyOf);
   const auto last = std::ranges::upper_bound(rows_, upper, {}, keyOf);
@@ -135,9 +136,10 @@ std::optional<std::size_t> PlotSeries::rowAtFrame(std::int64_t frame) const {
   return static_cast<std::size_t>(std::distance(rows_.begin(), after)) - 1;
 }
 
-PlotSeries::Line PlotSeries::line(std::size_t column, PlotAxis axis, double lower, double upper,
-                                  int pixels, const std::optional<Offset>& offset) const {
-  Line line;
+PlotSeries::CurvePoints PlotSeries::curvePoints(std::size_t column, PlotAxis axis, double lower,
+                                                double upper, int pixels,
+                                                const std::optional<ColumnOffset>& offset) const {
+  CurvePoints line;
   auto [first, last] = rowsWithin(axis, lower, upper);
   first -= first > 0 ? 1 : 0;
   last += last < rows_.size() ? 1 : 0;
@@ -162,7 +164,7 @@ PlotSeries::Line PlotSeries::line(std::size_t column, PlotAxis axis, double lowe
       extremes.add(place, drawn);
       gap = false;
     } else if (!gap) {
-      line.keys.push_back(place);
+      line.axisPositions.push_back(place);
       line.values.push_back(std::numeric_limits<double>::quiet_NaN());
       gap = true;
     }

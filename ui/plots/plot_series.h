@@ -24,11 +24,11 @@ public:
   struct Row {
     std::int64_t iteration = 0;
     std::int64_t frame = 0;
-    double time = 0.0; ///< seconds
+    double seconds = 0.0; ///< time of the frame
   };
-  /// Points of a drawn curve, in ascending key order.
-  struct Line {
-    std::vector<double> keys;
+  /// Points of a drawn curve, in ascending order of their positions on the axis.
+  struct CurvePoints {
+    std::vector<double> axisPositions;
     std::vector<double> values;
   };
 
@@ -45,7 +45,7 @@ public:
     return static_cast<double>(values_[index * columns_ + column]);
   }
   /// Returns whether any row has a number in this column.
-  bool isColumnKnown(std::size_t column) const { return known_[column]; }
+  bool hasValuesInColumn(std::size_t column) const { return known_[column]; }
   /// Returns the position of a row on the axis.
   double axisPosition(std::size_t index, PlotAxis axis) const;
   /// Returns the index of the row closest to a position on the axis; nothing if there are no rows.
@@ -59,15 +59,15 @@ public:
   /// Returns whether a row is drawn. On the time axis, only the last iteration of a frame is drawn.
   bool isRowDrawn(std::size_t index, PlotAxis axis) const;
   /// Offset to add to the values of a curve: the values of another column, times `columnFactor`.
-  struct Offset {
+  struct ColumnOffset {
     std::size_t column = 0;
     double columnFactor = 0.0;
   };
   /// Returns the points of a curve: the values of a column within the axis range [lower, upper],
   /// plus one row beyond each end. If there are many, they are reduced to about two points for each
   /// of `pixels` intervals, the smallest and the largest value.
-  Line line(std::size_t column, PlotAxis axis, double lower, double upper, int pixels,
-            const std::optional<Offset>& offset = std::nullopt) const;
+  CurvePoints curvePoints(std::size_t column, PlotAxis axis, double lower, double upper, int pixels,
+                          const std::optional<ColumnOffset>& offset = std::nullopt) const;
 
 private:
   void thin();

@@ -97,7 +97,8 @@ std::vector<const PlotDeclaration*> PlotStack::plotsToShow() const {
     if (shown_.contains(plot.id)) {
       chosen.push_back(&plot);
       if (series() != nullptr && std::ranges::any_of(plot.curves, [this](const auto& curve) {
-            return curve.column < series()->columnCount() && series()->isColumnKnown(curve.column);
+            return curve.column < series()->columnCount() &&
+                   series()->hasValuesInColumn(curve.column);
           })) {
         known.push_back(&plot);
       }
@@ -155,9 +156,9 @@ void PlotStack::fitRows() {
     least.push_back(row->minimumHeightFor(font()) + (least.empty() ? kTopRoom : 0));
   }
   // The gap below the last visible plot need not be visible.
-  const std::vector<int> heights = wholeRowHeights(least, visible + PlotRow::kGapPx);
+  const std::vector<int> heights = heightsForWholeRows(least, visible + PlotRow::kGapPx);
   for (std::size_t k = 0; k < rows_.size(); ++k) {
-    const double share = heights.empty() ? rows_[k]->heightShare() : heights[k];
+    const double share = heights.empty() ? rows_[k]->heightWeight() : heights[k];
     plot_->plotLayout()->setRowStretchFactor(static_cast<int>(k), share);
   }
   plot_->setMinimumHeight(heights.empty()
@@ -189,7 +190,7 @@ void PlotStack::draw() {
   QElapsedTimer took;
   took.start();
   fitRows();
-  const auto [lower, upper] = navigation_->advance();
+  const auto [lower, upper] = navigation_->followNewestData();
   const double margin = kEndMargin * (upper - lower); // the first dot is seen in full
   for (const auto& row : rows_) {
     row->xAxis()->setRange(lower - margin, upper + margin);
@@ -242,7 +243,7 @@ void PlotStack::connectSelection(Selection& selection) {
   });
   connect(pointer_, &PlotPointer::rangeCleared, &selection,
           [&selection] { selection.selectRange(std::nullopt); });
-  connect(&selection, &Selection::rangeChanged, this,
+  connect(&selection, &Selection::selectedRangeChanged, this,
           [this, &selection] { navigation_->setSelectedRange(selection.selectedRange()); });
 }
 
@@ -364,7 +365,7 @@ QString PlotStack::placeText(const std::optional<std::size_t>& row) const {
   }
   const PlotSeries::Row& at = series()->row(*row);
   const QString frame = QString::number(at.frame + 1); // people count from 1
-  const QString time = secondsText(at.time, 2);
+  const QString time = secondsText(at.seconds, 2);
   return axis() == PlotAxis::Time
              ? tr("frame %1, %2").arg(frame, time)
              : tr("frame %1, iteration %2, %3").arg(frame, QString::number(at.iteration), time);

@@ -63,10 +63,10 @@ public:
   /// Returns the visible part of the axis.
   std::pair<double, double> shownRange() const { return navigation_->shownRange(); }
   /// Shows the whole run again.
-  void showAll() { navigation_->showAll(); }
+  void showWholeRun() { navigation_->showWholeRun(); }
   /// Shows this part of the axis.
   void showRange(double lower, double upper) { navigation_->showRange(lower, upper); }
-  bool showsAll() const { return navigation_->showsAll(); }
+  bool showsWholeRun() const { return navigation_->showsWholeRun(); }
 
   /// Returns an object that exports the plots as currently shown, for use in other programs.
   PlotExport plotExport();

@@ -27,7 +27,7 @@ void enlarge(std::span<int> rows, int total) {
 
 } // namespace
 
-std::vector<int> wholeRowHeights(const std::vector<int>& least, int visible) {
+std::vector<int> heightsForWholeRows(const std::vector<int>& least, int visible) {
   if (totalHeight(least) <= visible) {
     return {};
   }

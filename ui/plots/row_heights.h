@@ -12,6 +12,6 @@ namespace dewpoint::ui {
 /// `visible` high. No row is lower than its minimum height in `least`. Returns an empty list if all
 /// rows fit without scrolling. If not even the first row fits, each row gets its minimum height.
 /// All heights are in pixels.
-std::vector<int> wholeRowHeights(const std::vector<int>& least, int visible);
+std::vector<int> heightsForWholeRows(const std::vector<int>& least, int visible);
 
 } // namespace dewpoint::ui

@@ -94,7 +94,7 @@ std::vector<CurveDeclaration> cameraCurves(const QStringList& cameras, const QSt
 
 } // namespace
 
-std::vector<PlotDeclaration> runPlots(const QStringList& cameras) {
+std::vector<PlotDeclaration> plotsOfRun(const QStringList& cameras) {
   std::vector<CurveDeclaration> existence{
       {RunPlots::tr("all cameras"), QStringLiteral("existence"), kExistence, -1}};
   for (CurveDeclaration& curve : cameraCurves(cameras, QStringLiteral("existence"), 1)) {
@@ -121,7 +121,7 @@ std::vector<PlotDeclaration> runPlots(const QStringList& cameras) {
   };
 }
 
-std::vector<PlotDeclaration> boxRunPlots() {
+std::vector<PlotDeclaration> plotsOfBoxRun() {
   return {
       {QStringLiteral("position"),
        RunPlots::tr("Position"),
@@ -144,7 +144,7 @@ std::vector<PlotDeclaration> boxRunPlots() {
   };
 }
 
-std::size_t runPlotColumnCount(int cameraCount) {
+std::size_t columnCountOfRunPlots(int cameraCount) {
   return kFirstCamera + kPerCamera * static_cast<std::size_t>(cameraCount);
 }
 
@@ -169,20 +169,20 @@ void appendIteration(PlotSeries& series, const IterationRecord& record) {
   put(kSpread, record.spread);
   put(kSampleSize, record.effectiveSampleSize);
   put(kParticles, record.particleCount);
-  if (record.error >= 0.0) {
-    put(kError, record.error);
+  if (record.distanceToTruth >= 0.0) {
+    put(kError, record.distanceToTruth);
   }
-  put(kDuration, record.microseconds);
+  put(kDuration, record.durationMicroseconds);
   put(kExistence, record.similarity.value_or(record.existenceProbability));
-  for (std::size_t camera = 0; camera < record.cameras.size(); ++camera) {
-    const CameraEvidence& evidence = record.cameras[camera];
+  for (std::size_t camera = 0; camera < record.cameraEvidence.size(); ++camera) {
+    const CameraEvidence& evidence = record.cameraEvidence[camera];
     const std::size_t column = kFirstCamera + kPerCamera * camera;
-    if (evidence.inView && column + 1 < values.size()) {
+    if (evidence.isInView && column + 1 < values.size()) {
       put(column, evidence.logLikelihood);
       put(column + 1, evidence.existenceProbability);
     }
   }
-  series.append({record.iteration, record.frame, record.time}, values);
+  series.append({record.iteration, record.frame, record.frameTime}, values);
 }
 
 } // namespace dewpoint::ui

@@ -17,13 +17,13 @@ namespace dewpoint::ui {
 /// Returns the declarations of the plots of a run, in the language of the window: position, spread,
 /// sampleSize, likelihood, existence, error, duration. Likelihood and existence have one curve per
 /// camera. Existence has an additional curve for all cameras together.
-std::vector<PlotDeclaration> runPlots(const QStringList& cameras);
+std::vector<PlotDeclaration> plotsOfRun(const QStringList& cameras);
 /// Returns the declarations of the plots of a run that tracks bounding boxes. The ids are those of
-/// runPlots(), without existence and error. Position and spread are in pixels, and the similarity
+/// plotsOfRun(), without existence and error. Position and spread are in pixels, and the similarity
 /// replaces the likelihood.
-std::vector<PlotDeclaration> boxRunPlots();
+std::vector<PlotDeclaration> plotsOfBoxRun();
 /// Returns the number of values per row in the series from which the plots of a run are drawn.
-std::size_t runPlotColumnCount(int cameraCount);
+std::size_t columnCountOfRunPlots(int cameraCount);
 /// Returns the particle spread in a row of the series of a run's plots, combined over all axes, in
 /// meters, or in pixels for bounding boxes.
 double particleSpreadOf(const PlotSeries& series, std::size_t row);

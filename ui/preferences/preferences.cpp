@@ -90,7 +90,7 @@ void Preferences::setLastFolder(const QString& folder) {
   write(kLastFolder, folder);
 }
 
-int Preferences::threadCountForFilter() const {
+int Preferences::filterThreadCount() const {
   return std::max(0, read(kFilterThreads, 0).toInt());
 }
 
@@ -98,11 +98,11 @@ void Preferences::setFilterThreadCount(int threads) {
   write(kFilterThreads, std::max(0, threads));
 }
 
-bool Preferences::slowUntilTracking() const {
+bool Preferences::isSlowUntilTracking() const {
   return read(kSlowUntilHeld, true).toBool();
 }
 
-void Preferences::setSlowUntilHeld(bool slow) {
+void Preferences::setSlowUntilTracking(bool slow) {
   write(kSlowUntilHeld, slow);
 }
 
@@ -146,17 +146,17 @@ void Preferences::setShownPlots(const QStringList& plots) {
   write(kPlotsShown, plots);
 }
 
-bool Preferences::plotsOverTime() const {
+bool Preferences::showsPlotsOverTime() const {
   return read(kPlotsOverTime, true).toBool();
 }
 
-void Preferences::setPlotsOverTime(bool time) {
+void Preferences::setShowsPlotsOverTime(bool time) {
   write(kPlotsOverTime, time);
 }
 
 BoardPreferences Preferences::boardPreferences(const BoardPreferences& otherwise) const {
   BoardPreferences board;
-  board.board = read(kBoard, otherwise.board).toString();
+  board.boardText = read(kBoard, otherwise.boardText).toString();
   board.lensModel = read(kBoardModel, otherwise.lensModel).toInt();
   board.calibratesIntrinsics = read(kBoardLenses, otherwise.calibratesIntrinsics).toBool();
   board.calibratesPositions = read(kBoardPlaces, otherwise.calibratesPositions).toBool();
@@ -167,7 +167,7 @@ BoardPreferences Preferences::boardPreferences(const BoardPreferences& otherwise
 }
 
 void Preferences::setBoardPreferences(const BoardPreferences& board) {
-  write(kBoard, board.board);
+  write(kBoard, board.boardText);
   write(kBoardModel, board.lensModel);
   write(kBoardLenses, board.calibratesIntrinsics);
   write(kBoardPlaces, board.calibratesPositions);

@@ -17,7 +17,7 @@ enum class Theme { System, Light, Dark };
 
 /// Settings for board calibration, shared by all projects.
 struct BoardPreferences {
-  QString board;                     ///< in the format of parseBoard(); empty for the default board
+  QString boardText;                 ///< in the format of parseBoard(); empty for the default board
   int lensModel = 0;                 ///< value of IntrinsicsModel
   bool calibratesIntrinsics = true;  ///< whether intrinsics are calibrated
   bool calibratesPositions = true;   ///< whether the camera positions are calibrated
@@ -53,13 +53,13 @@ public:
 
   /// Returns the number of filter threads, used from the next run on; 0: a number that suits the
   /// computer (base::threadCountForFilter). The results do not depend on this number.
-  int threadCountForFilter() const;
+  int filterThreadCount() const;
   void setFilterThreadCount(int threads);
 
   /// Returns whether a run is played iteration by iteration until the cameras confirm every target
   /// (Pace::slowUntilTracking).
-  bool slowUntilTracking() const;
-  void setSlowUntilHeld(bool slow);
+  bool isSlowUntilTracking() const;
+  void setSlowUntilTracking(bool slow);
 
   /// Returns the pre-roll of takes (recordings of all cameras): how many seconds before the start
   /// are also recorded; 0: none.
@@ -78,8 +78,8 @@ public:
   /// Returns the ids of the plots shown, or nothing if the user has not selected any yet.
   std::optional<QStringList> shownPlots() const;
   void setShownPlots(const QStringList& plots);
-  bool plotsOverTime() const;
-  void setPlotsOverTime(bool time);
+  bool showsPlotsOverTime() const;
+  void setShowsPlotsOverTime(bool time);
 
   /// Returns the stored settings for board calibration. `otherwise` provides values that were never
   /// set.

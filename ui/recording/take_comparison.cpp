@@ -50,7 +50,7 @@ void TakeComparison::offer() {
 
 void TakeComparison::compare(const std::filesystem::path& take) {
   using Compared = Result<ReplayComparison>;
-  const int threads = threadCountForFilter(Preferences().threadCountForFilter());
+  const int threads = threadCountForFilter(Preferences().filterThreadCount());
   const bool starts = job_->start(
       [this, take, threads](const BackgroundJob::Progress& progress) -> std::function<void()> {
         const auto compared = std::make_shared<const Compared>(
@@ -61,7 +61,7 @@ void TakeComparison::compare(const std::filesystem::path& take) {
         return [this, compared] {
           if (!*compared) {
             bench_.messages.showError(errorText(compared->error()));
-          } else if ((*compared)->isSame()) {
+          } else if ((*compared)->isBitIdentical()) {
             bench_.messages.showQuestion(replayText(**compared), {});
           } else {
             bench_.messages.showWarning(replayText(**compared));

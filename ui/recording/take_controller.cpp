@@ -42,7 +42,7 @@ TakeController::TakeController(const Workbench& bench)
     keepPreRoll();
     updateAction();
   });
-  connect(&bench_.session, &SessionController::runEnding, this,
+  connect(&bench_.session, &SessionController::runAboutToEnd, this,
           [this] { stop(tr("The recording ended, because its cameras were closed.")); });
   connect(&bench_.session, &SessionController::runEnded, this, &TakeController::updateAction);
   connect(job_, &BackgroundJob::ended, this, &TakeController::updateAction);
@@ -50,7 +50,7 @@ TakeController::TakeController(const Workbench& bench)
   new TakeComparison(bench_);
 }
 
-std::filesystem::path TakeController::takesFolder() const {
+std::filesystem::path TakeController::folderForTakes() const {
   const auto& file = bench_.document.project().file;
   if (!file.empty()) {
     return file.parent_path() / (file.stem().string() + "-takes");
@@ -82,7 +82,7 @@ void TakeController::start() {
   using Started = Result<std::unique_ptr<TakeRecorder>>;
   const bool starts =
       job_->start([this, project = bench_.document.project(), feeds = bench_.session.encodedFeeds(),
-                   folder = takesFolder(), options = nextOptions()](
+                   folder = folderForTakes(), options = nextOptions()](
                       const BackgroundJob::Progress&) -> std::function<void()> {
         auto take = std::make_shared<Started>(TakeRecorder::start(project, feeds, folder, options));
         return [this, take] {
@@ -132,8 +132,8 @@ std::shared_ptr<const LiveRun> TakeController::liveRun() const {
     live->report = runReport(record.project, record.statistics);
     live->project = std::move(record.project);
     live->trajectory = std::move(record.people.trajectory);
-    live->sets = session->liveFrameRecords();
-    live->otherSettings = session->oldResults().frames;
+    live->frameRecords = session->liveFrameRecords();
+    live->framesWithOtherSettings = session->oldResults().frameRanges;
   }
   return live;
 }
@@ -142,7 +142,7 @@ void TakeController::finish(const std::shared_ptr<TakeRecorder>& recorder, const
   const TakeStatus take = recorder->status();
   const QString folder = QString::fromStdString(take.folder.string());
   QString text = tr("Take %1 (%2) was saved in %3.")
-                     .arg(take.number)
+                     .arg(take.takeNumber)
                      .arg(minutesAndSecondsText(take.durationSeconds), folder);
   if (!reason.isEmpty()) {
     text.prepend(reason + QLatin1Char(' '));
@@ -168,8 +168,8 @@ void TakeController::keepPreRoll() {
 TakeOptions TakeController::nextOptions() const {
   TakeOptions options;
   options.notes = (next_.notes.isEmpty() ? name_ : next_.notes).toStdString();
-  if (next_.number > 0) {
-    options.number = next_.number;
+  if (next_.takeNumber > 0) {
+    options.number = next_.takeNumber;
   }
   return options;
 }
@@ -178,7 +178,7 @@ void TakeController::editDetails(const std::shared_ptr<TakeRecorder>& take) {
   TakeDetails details = next_;
   if (take != nullptr) {
     const TakeStatus status = take->status();
-    details = {status.number, QString::fromStdString(status.notes)};
+    details = {status.takeNumber, QString::fromStdString(status.notes)};
   } else {
     details.preRollSeconds = Preferences().preRollSeconds();
   }

@@ -32,7 +32,7 @@ public:
   bool isRecording() const { return recorder_ != nullptr; }
   /// Returns the folder for the takes (recordings of all cameras) of the open project: beside the
   /// project file or, for an unsaved project, in the user's folder for videos.
-  std::filesystem::path takesFolder() const;
+  std::filesystem::path folderForTakes() const;
   /// Returns the state of the current take (a recording of all cameras in progress); an empty state
   /// while nothing is being recorded.
   TakeStatus status() const;

@@ -23,7 +23,7 @@ TakeDialog::TakeDialog(const TakeDetails& details, bool exists, QWidget* parent)
   number_->setObjectName(QStringLiteral("takeNumber"));
   number_->setRange(0, kHighestTakeNumber);
   number_->setGroupSeparatorShown(false);
-  number_->setValue(details.number);
+  number_->setValue(details.takeNumber);
   number_->setEnabled(!exists_);
   notes_->setObjectName(QStringLiteral("takeNotes"));
   notes_->setTabChangesFocus(true);

@@ -14,7 +14,7 @@ namespace dewpoint::ui {
 
 /// Details of a take (a recording of all cameras) that the user can edit.
 struct TakeDetails {
-  int number = 0; ///< number of the take; 0: the next number after all takes in the folder
+  int takeNumber = 0; ///< number of the take; 0: the next number after all takes in the folder
   QString notes;
   int preRollSeconds = 0; ///< seconds before the start that the next takes also record
 };

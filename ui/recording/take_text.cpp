@@ -20,7 +20,7 @@ namespace {
 std::int64_t bytesOf(const TakeStatus& take) {
   std::int64_t bytes = 0;
   for (const auto& camera : take.cameras) {
-    bytes += camera.counts.bytes;
+    bytes += camera.counts.byteCount;
   }
   return bytes;
 }
@@ -64,8 +64,9 @@ QString minutesAndSecondsText(double seconds) {
 }
 
 QString takeSummaryText(const TakeStatus& take) {
-  QStringList parts{QCoreApplication::translate("TakeText", "Recording take %1").arg(take.number),
-                    minutesAndSecondsText(take.durationSeconds)};
+  QStringList parts{
+      QCoreApplication::translate("TakeText", "Recording take %1").arg(take.takeNumber),
+      minutesAndSecondsText(take.durationSeconds)};
   const auto dropped = static_cast<int>(droppedOf(take));
   parts += QCoreApplication::translate("TakeText", "%n dropped image(s)", nullptr, dropped);
   parts += QCoreApplication::translate("TakeText", "%1 free").arg(sizeText(take.freeBytes));
@@ -81,10 +82,10 @@ QString takeDetailsText(const TakeStatus& take) {
     const RecordedCounts& counts = camera.counts;
     lines += QCoreApplication::translate("TakeText", "%1: %2 images, %3, %4 dropped, %5")
                  .arg(QString::fromStdString(camera.name))
-                 .arg(counts.images)
+                 .arg(counts.imageCount)
                  .arg(rateText(counts.framesPerSecond))
                  .arg(counts.droppedImageCount)
-                 .arg(sizeText(static_cast<std::uint64_t>(counts.bytes)));
+                 .arg(sizeText(static_cast<std::uint64_t>(counts.byteCount)));
   }
   if (const QString before = preRollText(take); !before.isEmpty()) {
     lines += before;
@@ -111,35 +112,35 @@ QString preRollText(const TakeStatus& take) {
 QString replayText(const ReplayComparison& found) {
   const auto number = [](std::int64_t frame) { return QString::number(frame + 1); };
   QStringList parts;
-  if (found.framesBeforeTake > 0) {
+  if (found.frameCountBeforeTake > 0) {
     parts += QCoreApplication::translate(
         "TakeText", "The run began before the take, so the run cannot be tracked again from its "
                     "beginning. To avoid this, restart the run while you record.");
-  } else if (found.isSame()) {
+  } else if (found.isBitIdentical()) {
     parts += QCoreApplication::translate(
                  "TakeText",
                  "Tracking the take gives exactly the results of the live run in all %1 frames.")
-                 .arg(found.liveFrames);
+                 .arg(found.liveFrameCount);
   } else {
-    parts +=
-        QCoreApplication::translate(
-            "TakeText",
-            "%1 of %2 frames differ from the live run, the first one is frame %3. Positions "
-            "differ by up to %4.")
-            .arg(found.differingFrames)
-            .arg(found.liveFrames)
-            .arg(number(found.firstDifferingFrame.value_or(0)), lengthText(found.largestDistance));
+    parts += QCoreApplication::translate(
+                 "TakeText",
+                 "%1 of %2 frames differ from the live run, the first one is frame %3. Positions "
+                 "differ by up to %4.")
+                 .arg(found.differingFrameCount)
+                 .arg(found.liveFrameCount)
+                 .arg(number(found.firstDifferingFrame.value_or(0)),
+                      lengthText(found.largestPositionDifference));
   }
-  if (found.incompleteFrames > 0) {
+  if (found.incompleteFrameCount > 0) {
     parts += QCoreApplication::translate("TakeText",
                                          "Images of %1 frames were dropped, the first in frame %2.")
-                 .arg(found.incompleteFrames)
+                 .arg(found.incompleteFrameCount)
                  .arg(number(found.firstIncompleteFrame.value_or(0)));
   }
-  for (const ResultRange& range : found.otherSettings) {
+  for (const ResultRange& range : found.framesWithOtherSettings) {
     parts +=
         QCoreApplication::translate("TakeText", "Frames %1 to %2 were tracked with other settings.")
-            .arg(number(range.first), number(range.last));
+            .arg(number(range.firstFrame), number(range.lastFrame));
   }
   if (found.hasTimeBudget) {
     parts += QCoreApplication::translate(

@@ -61,22 +61,22 @@ void copyPixels(const cv::Mat& image, vtkImageData* pixels) {
 FrustumImages::FrustumImages(vtkRenderer* renderer) : renderer_(renderer) {}
 
 FrustumImages::~FrustumImages() {
-  for (const auto& sheet : sheets_) {
-    renderer_->RemoveActor(sheet->actor);
+  for (const auto& plane : planes_) {
+    renderer_->RemoveActor(plane->actor);
   }
 }
 
-FrustumImages::Sheet& FrustumImages::sheet(std::size_t index) {
-  while (sheets_.size() <= index) {
-    auto made = std::make_unique<Sheet>();
+FrustumImages::ImagePlane& FrustumImages::plane(std::size_t index) {
+  while (planes_.size() <= index) {
+    auto made = std::make_unique<ImagePlane>();
     made->texture->SetInputData(made->pixels);
     made->texture->InterpolateOn();
     made->actor = addNewActor(renderer_, made->quad);
     made->actor->SetTexture(made->texture);
     made->actor->GetProperty()->SetOpacity(kImageOpacity);
-    sheets_.push_back(std::move(made));
+    planes_.push_back(std::move(made));
   }
-  return *sheets_[index];
+  return *planes_[index];
 }
 
 void FrustumImages::show(const std::vector<CameraGlyph>& glyphs, const FrameSetPtr& frames) {
@@ -87,7 +87,7 @@ void FrustumImages::show(const std::vector<CameraGlyph>& glyphs, const FrameSetP
     if (frame == nullptr || frame->image.type() != CV_8UC3 || frame->image.empty()) {
       continue;
     }
-    Sheet& shown = sheet(k);
+    ImagePlane& shown = plane(k);
     layOut(glyphs[k].corners, shown.quad);
     copyPixels(frame->image, shown.pixels);
     shown.actor->VisibilityOn();
@@ -95,8 +95,8 @@ void FrustumImages::show(const std::vector<CameraGlyph>& glyphs, const FrameSetP
 }
 
 void FrustumImages::hide() {
-  for (const auto& sheet : sheets_) {
-    sheet->actor->VisibilityOff();
+  for (const auto& plane : planes_) {
+    plane->actor->VisibilityOff();
   }
 }
 

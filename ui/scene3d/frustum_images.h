@@ -33,16 +33,16 @@ public:
   void hide();
 
 private:
-  struct Sheet {
+  struct ImagePlane {
     vtkNew<vtkPolyData> quad;
     vtkNew<vtkImageData> pixels;
     vtkNew<vtkTexture> texture;
     vtkSmartPointer<vtkActor> actor;
   };
-  Sheet& sheet(std::size_t index);
+  ImagePlane& plane(std::size_t index);
 
   vtkRenderer* renderer_;
-  std::vector<std::unique_ptr<Sheet>> sheets_;
+  std::vector<std::unique_ptr<ImagePlane>> planes_;
 };
 
 } // namespace dewpoint::ui

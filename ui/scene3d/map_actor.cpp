@@ -105,7 +105,7 @@ void MapActor::drawSlice() {
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
   const auto layer =
-      map_ && options_.layerShown
+      map_ && options_.showsLayer
           ? cellAt(map_->grid, {map_->grid.low.x(), map_->grid.low.y(), options_.layerHeight})
           : std::nullopt;
   if (layer) {
@@ -114,7 +114,7 @@ void MapActor::drawSlice() {
     const Eigen::Vector3d size = grid.high - grid.low;
     // A little above the floor, which would flicker through it.
     const double z = options_.layerHeight + 2e-3 * size.maxCoeff();
-    const int columns = grid.cells[0], rows = grid.cells[1];
+    const int columns = grid.cellsPerAxis[0], rows = grid.cellsPerAxis[1];
     for (int y = 0; y <= rows; ++y) {
       for (int x = 0; x <= columns; ++x) {
         points->InsertNextPoint(grid.low.x() + size.x() * x / columns,
@@ -146,21 +146,21 @@ void MapActor::drawSlice() {
 /// A margin that counts as bad closes the surfaces at the border of the volume.
 void MapActor::fill(vtkImageData& image) const {
   const VolumeGrid& grid = map_->grid;
-  const Eigen::Array3d cells(grid.cells[0], grid.cells[1], grid.cells[2]);
+  const Eigen::Array3d cells(grid.cellsPerAxis[0], grid.cellsPerAxis[1], grid.cellsPerAxis[2]);
   const Eigen::Vector3d step = (grid.high - grid.low).array() / cells;
   const Eigen::Vector3d origin = grid.low - 0.5 * step;
-  image.SetDimensions(grid.cells[0] + 2, grid.cells[1] + 2, grid.cells[2] + 2);
+  image.SetDimensions(grid.cellsPerAxis[0] + 2, grid.cellsPerAxis[1] + 2, grid.cellsPerAxis[2] + 2);
   image.SetSpacing(step.x(), step.y(), step.z());
   image.SetOrigin(origin.x(), origin.y(), origin.z());
   image.AllocateScalars(VTK_FLOAT, 1);
   auto* values = static_cast<float*>(image.GetScalarPointer());
   const double outside =
       options_.quantity == MapQuantity::CameraCount ? 0.0 : level(options_, kWorst);
-  for (int z = -1; z <= grid.cells[2]; ++z) {
-    for (int y = -1; y <= grid.cells[1]; ++y) {
-      for (int x = -1; x <= grid.cells[0]; ++x) {
-        const bool in = x >= 0 && y >= 0 && z >= 0 && x < grid.cells[0] && y < grid.cells[1] &&
-                        z < grid.cells[2];
+  for (int z = -1; z <= grid.cellsPerAxis[2]; ++z) {
+    for (int y = -1; y <= grid.cellsPerAxis[1]; ++y) {
+      for (int x = -1; x <= grid.cellsPerAxis[0]; ++x) {
+        const bool in = x >= 0 && y >= 0 && z >= 0 && x < grid.cellsPerAxis[0] &&
+                        y < grid.cellsPerAxis[1] && z < grid.cellsPerAxis[2];
         *values++ = float(in ? level(options_, valueAt(grid.index(x, y, z))) : outside);
       }
     }
@@ -171,7 +171,7 @@ void MapActor::drawSurfaces() {
   for (const Surface& surface : surfaces_) {
     surface.actor->VisibilityOff();
   }
-  if (!map_ || !options_.volumeShown) {
+  if (!map_ || !options_.showsVolume) {
     return;
   }
   vtkNew<vtkImageData> image;

@@ -18,7 +18,7 @@ std::vector<MapClass> mapClasses(const MapOptions& look) {
             {4.0, sceneColor(0x3787c0), true},
             {kEndless, sceneColor(0x0b559f), false}};
   }
-  const double good = look.goodSigma;
+  const double good = look.maxGoodSigma;
   return {{0.2 * good, sceneColor(0x2166ac), false}, {0.4 * good, sceneColor(0x5aa3cf), true},
           {good, sceneColor(0xa9d3e8), true},        {2.0 * good, sceneColor(0xfdd481), true},
           {4.0 * good, sceneColor(0xf08a4b), false}, {kEndless, sceneColor(0xc23b2e), false}};

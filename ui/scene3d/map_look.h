@@ -16,11 +16,11 @@ enum class MapQuantity {
 /// Appearance of a rig's map.
 struct MapOptions {
   MapQuantity quantity = MapQuantity::Sigma;
-  bool layerShown = true;   ///< shows a horizontal layer
+  bool showsLayer = true;   ///< shows a horizontal layer
   double layerHeight = 0.0; ///< height of the layer, meters
-  bool volumeShown = false; ///< shows surfaces between some color classes (MapClass::hasSurface)
+  bool showsVolume = false; ///< shows surfaces between some color classes (MapClass::hasSurface)
   /// Standard deviation (meters) that is good enough; it is the center of the color scale.
-  double goodSigma = 0.005;
+  double maxGoodSigma = 0.005;
 
   bool operator==(const MapOptions&) const = default;
 };

@@ -4,18 +4,18 @@
 namespace dewpoint::ui {
 
 void MeanPath::add(const TrackSnapshot& snapshot) {
-  if (snapshot.isPast || snapshot.rerun || snapshot.iterations < iterations_ ||
+  if (snapshot.isPast || snapshot.rerun || snapshot.iterationCount < iterations_ ||
       snapshot.targets.size() != paths_.size()) {
     paths_.assign(snapshot.targets.size(), {});
-  } else if (snapshot.iterations == iterations_) {
+  } else if (snapshot.iterationCount == iterations_) {
     return; // the same estimates again
   }
-  iterations_ = snapshot.iterations;
+  iterations_ = snapshot.iterationCount;
   for (std::size_t k = 0; k < paths_.size(); ++k) {
     std::vector<Eigen::Vector3d>& path = paths_[k];
     const TrackEstimate& estimate = snapshot.targets[k].estimate;
     const auto position = positionOf(estimate);
-    if (isHeld(estimate) || !position || !position->mean.allFinite() ||
+    if (isConfirmed(estimate) || !position || !position->mean.allFinite() ||
         particleCountOf(estimate) <= 0) {
       path.clear();
       continue;

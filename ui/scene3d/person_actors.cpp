@@ -75,10 +75,11 @@ void PersonActors::show(const PersonShape* shape) {
     fillHull(shape->hull, hullData_, edgeData_);
   }
   for (std::size_t k = 0; k < curves_.size(); ++k) {
-    const bool any = shape != nullptr && k < shape->ground.size() && !shape->ground[k].empty();
+    const bool any =
+        shape != nullptr && k < shape->groundCurves.size() && !shape->groundCurves[k].empty();
     curves_[k]->SetVisibility(any);
     if (any) {
-      drawCurves(shape->ground[k], curveData_[k]);
+      drawCurves(shape->groundCurves[k], curveData_[k]);
     }
   }
 }

@@ -55,11 +55,11 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
     parts.showRig(snapshot.rig);
   }
   parts.includeInContent(snapshot);
-  if (parts.imagesShown) {
+  if (parts.showsImages) {
     parts.frustumImages.show(parts.frusta.glyphs(), snapshot.frames);
   }
   const std::size_t count = std::min(snapshot.targets.size(), SceneParts::kMaxDetailedTargets);
-  parts.showOtherMeans(snapshot);
+  parts.showUndetailedTargetMeans(snapshot);
   if (parts.targets.size() > count) {
     parts.targets.resize(count);
   }
@@ -74,11 +74,11 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
     const bool isShown = target.target.isShown;
     isShown ? actors.show(target) : actors.show(nothingOf(target));
     // Of people there would be too many to be read.
-    const bool rays = parts.raysShown && isShown && !snapshot.family.findsTargets();
+    const bool rays = parts.showsRays && isShown && !snapshot.family.findsTargets();
     actors.showLinesOfSight(rays ? sightLines(snapshot, target) : std::vector<SightLine>());
     actors.showPath(isShown ? parts.meanPath.positionsOf(i) : std::vector<Eigen::Vector3d>());
     actors.setChosen(static_cast<int>(i) == parts.chosenTarget);
-    actors.setBestParticleShown(parts.bestParticleShown);
+    actors.setBestParticleShown(parts.showsBestParticle);
   }
   if (added || sources != parts.colorSources) {
     parts.colorSources = std::move(sources);
@@ -91,18 +91,18 @@ void Scene3d::recordSnapshot(const TrackSnapshot& snapshot) {
 }
 
 void Scene3d::setRaysShown(bool shown) {
-  parts_->raysShown = shown;
+  parts_->showsRays = shown;
 }
 
 void Scene3d::setImagesShown(bool shown) {
   SceneParts& parts = *parts_;
-  parts.imagesShown = shown;
+  parts.showsImages = shown;
   parts.frustumImages.hide(); // until the next snapshot
   parts.frusta.show(parts.rig ? *parts.rig : CameraRig(), parts.frustumLength());
 }
 
 void Scene3d::setBestParticleShown(bool shown) {
-  parts_->bestParticleShown = shown;
+  parts_->showsBestParticle = shown;
   for (const auto& target : parts_->targets) {
     target->setBestParticleShown(shown);
   }
@@ -126,14 +126,14 @@ void Scene3d::showMap(std::shared_ptr<const RigMap> map, const MapOptions& look)
   const Eigen::AlignedBox3d now = parts.map.volume();
   if (before.isEmpty() != now.isEmpty() || (!now.isEmpty() && !before.isApprox(now))) {
     parts.coverGround();
-    parts.framingPending = parts.framingPending || !parts.movedByUser;
+    parts.isFramingPending = parts.isFramingPending || !parts.isViewMovedByUser;
   }
 }
 
 std::optional<Eigen::Vector3d> Scene3d::positionInMapLayer(const Eigen::Vector2d& place) const {
   const Eigen::AlignedBox3d volume = parts_->map.volume();
   const MapOptions& look = parts_->map.options();
-  if (volume.isEmpty() || !look.layerShown) {
+  if (volume.isEmpty() || !look.showsLayer) {
     return std::nullopt;
   }
   auto there = positionAtHeight(place, look.layerHeight);
@@ -168,7 +168,7 @@ void Scene3d::showVolume(const std::optional<WorldBox>& volume) {
   const Eigen::AlignedBox3d before = parts.sceneBox();
   parts.volume.show(lines);
   if (!parts.sceneBox().isApprox(before)) {
-    parts.framingPending = parts.framingPending || !parts.movedByUser;
+    parts.isFramingPending = parts.isFramingPending || !parts.isViewMovedByUser;
   }
 }
 
@@ -195,33 +195,33 @@ Scene3d::View Scene3d::view() const {
 }
 
 void Scene3d::resetView() {
-  parts_->movedByUser = false;
-  parts_->framingPending = true;
+  parts_->isViewMovedByUser = false;
+  parts_->isFramingPending = true;
 }
 
-void Scene3d::holdView() {
-  parts_->movedByUser = true;
+void Scene3d::keepCurrentView() {
+  parts_->isViewMovedByUser = true;
 }
 
 void Scene3d::copyView(const Scene3d& other, double aspect) {
   SceneParts& parts = *parts_;
   const SceneParts& from = *other.parts_;
   parts.isDark = from.isDark;
-  parts.bestParticleShown = from.bestParticleShown;
-  parts.raysShown = from.raysShown;
+  parts.showsBestParticle = from.showsBestParticle;
+  parts.showsRays = from.showsRays;
   parts.chosenTarget = from.chosenTarget;
-  setImagesShown(from.imagesShown);
+  setImagesShown(from.showsImages);
   parts.applyPalette();
   setView(from.view);
-  if (!from.movedByUser || from.viewportWidth <= 0 || from.viewportHeight <= 0) {
+  if (!from.isViewMovedByUser || from.viewportWidth <= 0 || from.viewportHeight <= 0) {
     return;
   }
   parts.rigFittedToView =
       from.rigFittedToView; // or the first snapshot would fit the view to its rig
   parts.camera->DeepCopy(from.camera);
   parts.uprightPosition = from.uprightPosition;
-  parts.movedByUser = true;
-  parts.framingPending = false;
+  parts.isViewMovedByUser = true;
+  parts.isFramingPending = false;
   const double seen = static_cast<double>(from.viewportWidth) / from.viewportHeight;
   if (aspect < seen) {
     zoom(aspect / seen);
@@ -232,7 +232,7 @@ void Scene3d::zoom(double factor) {
   if (!std::isfinite(factor) || factor <= 0.0) {
     return;
   }
-  parts_->movedByUser = true;
+  parts_->isViewMovedByUser = true;
   if (parts_->view == View::Free) {
     parts_->camera->Dolly(factor);
   } else {
@@ -245,9 +245,9 @@ void Scene3d::prepareRendering(int width, int height) {
   const bool resized = width != parts.viewportWidth || height != parts.viewportHeight;
   parts.viewportWidth = width;
   parts.viewportHeight = height;
-  if (parts.framingPending || (resized && !parts.movedByUser)) {
+  if (parts.isFramingPending || (resized && !parts.isViewMovedByUser)) {
     parts.fitView();
-    parts.framingPending = false;
+    parts.isFramingPending = false;
   }
   parts.keepUpright();
   parts.updateClippingRange();
@@ -259,7 +259,7 @@ void Scene3d::prepareRendering(int width, int height) {
   parts.volume.prepareRendering(parts.scale);
   parts.lineOfSight.prepareRendering(parts.scale);
   parts.selectedRange.prepareRendering(parts.scale);
-  parts.otherMeans.prepareRendering(parts.scale, focus());
+  parts.undetailedTargetMeans.prepareRendering(parts.scale, focalPoint());
   for (const auto& target : parts.targets) {
     target->prepareRendering(parts.scale);
   }
@@ -300,7 +300,7 @@ double Scene3d::lengthInLogicalPixels(const Eigen::Vector3d& point, double meter
   return meters / parts_->scale.lengthInMeters(point, 1.0);
 }
 
-Eigen::Vector3d Scene3d::focus() const {
+Eigen::Vector3d Scene3d::focalPoint() const {
   return Eigen::Vector3d(parts_->camera->GetFocalPoint());
 }
 

@@ -90,7 +90,7 @@ public:
   /// Fits the current view to the whole scene again.
   void resetView();
   /// Keeps the current view, as if the user had chosen it: new rigs no longer change the view.
-  void holdView();
+  void keepCurrentView();
   /// Shows the layers and the selected target of another scene, in the same colors and from the
   /// same point of view. If the user has not moved the view of the other scene, this view is fitted
   /// to its own image instead. `aspect` is the width / height of this scene's image; if the image
@@ -119,7 +119,7 @@ public:
   bool isInFront(const Eigen::Vector3d& point) const;
   /// Returns the world point at the center of the rendered image, as of the last
   /// `prepareRendering()`.
-  Eigen::Vector3d focus() const;
+  Eigen::Vector3d focalPoint() const;
   /// Returns the position of a world point in the rendered image, as of the last
   /// `prepareRendering()`: device pixels to the right of and above the center.
   Eigen::Vector2d projectToImage(const Eigen::Vector3d& point) const;
@@ -128,7 +128,7 @@ public:
   Eigen::Vector3d unproject(const Eigen::Vector2d& place, const Eigen::Vector3d& depth) const;
   /// Converts a length in meters at `point` to logical pixels, as of the last `prepareRendering()`.
   double lengthInLogicalPixels(const Eigen::Vector3d& point, double meters) const;
-  /// Returns the meters per device pixel at the focus, as of the last `prepareRendering()`.
+  /// Returns the meters per device pixel at the focal point, as of the last `prepareRendering()`.
   double metersPerPixel() const;
 
 private:

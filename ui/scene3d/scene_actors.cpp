@@ -54,7 +54,7 @@ Eigen::Vector3d ScreenScale::unproject(const Eigen::Vector2d& place,
   return eye + depth(like) * direction + perPixel * (place.x() * right + place.y() * up);
 }
 
-double ScreenScale::closerFactor(const Eigen::Vector3d& point, double distance) const {
+double ScreenScale::scaleToMoveCloser(const Eigen::Vector3d& point, double distance) const {
   const double away = (point - eye).norm();
   return isParallel || away <= 0.0 ? 1.0 : std::clamp(1.0 - distance / away, 0.3, 1.0);
 }
@@ -63,7 +63,7 @@ Eigen::Vector3d ScreenScale::movedCloser(const Eigen::Vector3d& point, double di
   if (isParallel) {
     return point - direction * distance;
   }
-  return eye + (point - eye) * closerFactor(point, distance);
+  return eye + (point - eye) * scaleToMoveCloser(point, distance);
 }
 
 void addNewProp(vtkRenderer* renderer, vtkProp* prop) {
@@ -196,10 +196,13 @@ void SceneLabels::appendTextAreas(const ScreenScale& scale,
     const double height = label.sizePx * scale.pixelRatio;
     const double width =
         kCharacter * height * static_cast<double>(std::string_view(label.actor->GetInput()).size());
-    const double side = label.rightOffset > 0.0 ? 0.5 : label.rightOffset < 0.0 ? -0.5 : 0.0;
-    const Eigen::Vector2d center = scale.project(label.point) +
-                                   height * Eigen::Vector2d(label.rightOffset, label.upOffset) +
-                                   Eigen::Vector2d(side * width, 0.0);
+    const double side = label.rightOffsetInTextHeights > 0.0   ? 0.5
+                        : label.rightOffsetInTextHeights < 0.0 ? -0.5
+                                                               : 0.0;
+    const Eigen::Vector2d center =
+        scale.project(label.point) +
+        height * Eigen::Vector2d(label.rightOffsetInTextHeights, label.upOffsetInTextHeights) +
+        Eigen::Vector2d(side * width, 0.0);
     const Eigen::Vector2d half(0.5 * width, 0.5 * height);
     places.emplace_back(Eigen::Vector2d(center - half), Eigen::Vector2d(center + half));
   }
@@ -210,8 +213,9 @@ void SceneLabels::prepareRendering(const ScreenScale& scale) {
     // 2D text is projected through the eye too: behind it, it would appear mirrored.
     label.actor->SetVisibility(visible_ && (scale.isParallel || scale.depth(label.point) > 0.05));
     const double height = scale.lengthInMeters(label.point, label.sizePx);
-    const Eigen::Vector3d place =
-        label.point + (scale.right * label.rightOffset + scale.up * label.upOffset) * height;
+    const Eigen::Vector3d place = label.point + (scale.right * label.rightOffsetInTextHeights +
+                                                 scale.up * label.upOffsetInTextHeights) *
+                                                    height;
     label.actor->GetPositionCoordinate()->SetValue(place.x(), place.y(), place.z());
     label.actor->GetTextProperty()->SetFontSize(
         std::max(1, static_cast<int>(std::lround(label.sizePx * scale.pixelRatio))));

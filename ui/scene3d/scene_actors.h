@@ -37,7 +37,7 @@ struct ScreenScale {
   /// Returns the factor by which to scale an object about the viewer so that it is `distance`
   /// meters closer and has the same apparent size. In parallel views, the factor is 1, because the
   /// object is only moved.
-  double closerFactor(const Eigen::Vector3d& point, double distance) const;
+  double scaleToMoveCloser(const Eigen::Vector3d& point, double distance) const;
   Eigen::Vector3d movedCloser(const Eigen::Vector3d& point, double distance) const;
   /// Converts a length in logical pixels at `point` to meters.
   double lengthInMeters(const Eigen::Vector3d& point, double pixels) const;
@@ -101,8 +101,8 @@ private:
     vtkSmartPointer<vtkTextActor> actor;
     Eigen::Vector3d point;
     double sizePx;
-    double rightOffset; ///< in text heights, as `upOffset`
-    double upOffset;
+    double rightOffsetInTextHeights; ///< in text heights, as `upOffsetInTextHeights`
+    double upOffsetInTextHeights;
   };
   void paintLabel(const Label& label) const;
 

@@ -43,7 +43,7 @@ void SceneParts::applyPalette() {
   selectedRange.setPalette(palette());
   volume.setColor(palette().text, 0.55);
   lineOfSight.setColor(palette().truth, 0.8);
-  otherMeans.setColors(palette().text, palette().text);
+  undetailedTargetMeans.setColors(palette().text, palette().text);
   applyTargetColors();
 }
 
@@ -75,8 +75,8 @@ void SceneParts::showRig(const std::shared_ptr<const CameraRig>& shown) {
   if (!cameras.empty()) {
     rigFittedToView = shown;
     if (!adjusted) {
-      movedByUser = movedByUser && change != RigChange::Elsewhere;
-      framingPending = framingPending || !movedByUser;
+      isViewMovedByUser = isViewMovedByUser && change != RigChange::Elsewhere;
+      isFramingPending = isFramingPending || !isViewMovedByUser;
     }
   }
   frusta.show(cameras, frustumLength());
@@ -103,17 +103,17 @@ void SceneParts::includeInContent(const TrackSnapshot& snapshot) {
     if (target.truth) {
       extend(*target.truth);
     }
-    std::for_each(target.tail.begin(), target.tail.end(), extend);
+    std::for_each(target.tailPositions.begin(), target.tailPositions.end(), extend);
   }
   if (before.isEmpty() != contentBox.isEmpty() || !before.contains(contentBox)) {
     coverGround();
   }
 }
 
-void SceneParts::showOtherMeans(const TrackSnapshot& snapshot) {
+void SceneParts::showUndetailedTargetMeans(const TrackSnapshot& snapshot) {
   const std::size_t count = snapshot.targets.size();
   if (count <= kMaxDetailedTargets) {
-    otherMeans.hide();
+    undetailedTargetMeans.hide();
     return;
   }
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN(); // is not drawn
@@ -126,7 +126,7 @@ void SceneParts::showOtherMeans(const TrackSnapshot& snapshot) {
           position->mean.transpose().array();
     }
   }
-  otherMeans.show(means, {});
+  undetailedTargetMeans.show(means, {});
 }
 
 void SceneParts::coverGround() {
@@ -146,7 +146,7 @@ void SceneParts::coverGround() {
                shown.isEmpty() ? 0.0 : shown.min().z());
   ground.setPalette(palette());
   if (before.isEmpty() || !before.isApprox(ground.extent())) {
-    framingPending = framingPending || !movedByUser;
+    isFramingPending = isFramingPending || !isViewMovedByUser;
   }
 }
 

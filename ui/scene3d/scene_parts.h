@@ -38,7 +38,7 @@ public:
       : ground(renderer), frustumImages(renderer), frusta(renderer), plannedFrusta(renderer),
         map(renderer), volume(renderer, kVolumeLineWidthPx),
         lineOfSight(renderer, kLineOfSightLineWidthPx), selectedRange(renderer),
-        otherMeans(renderer) {
+        undetailedTargetMeans(renderer) {
     renderer->SetActiveCamera(camera);
     // Cullers need bounds, which a cloud of bare points does not have.
     renderer->GetCullers()->RemoveAllItems();
@@ -50,7 +50,7 @@ public:
   /// Returns the length of the viewing pyramids in meters. They are longer if they carry images, so
   /// that the images are recognizable.
   double frustumLength() const {
-    return imagesShown ? std::clamp(0.25 * rigSize(), 0.1, 2.0)
+    return showsImages ? std::clamp(0.25 * rigSize(), 0.1, 2.0)
                        : std::clamp(0.09 * rigSize(), 0.05, 1.0);
   }
   void applyPalette();
@@ -59,7 +59,7 @@ public:
   void applyTargetColors();
   void showRig(const std::shared_ptr<const CameraRig>& shown);
   void includeInContent(const TrackSnapshot& snapshot);
-  void showOtherMeans(const TrackSnapshot& snapshot);
+  void showUndetailedTargetMeans(const TrackSnapshot& snapshot);
   void coverGround();
   Eigen::AlignedBox3d sceneBox() const; ///< box around the floor and the content, meters
   void fitView();
@@ -74,10 +74,10 @@ public:
   CameraFrusta frusta;
   CameraFrusta plannedFrusta;
   MapActor map;
-  WireActor volume;                 ///< volume of interest
-  WireActor lineOfSight;            ///< camera line of sight
-  SelectedRangeActor selectedRange; ///< drawn before the targets, which cover it
-  ParticleCloud otherMeans;         ///< means of the targets beyond `kMaxDetailedTargets`
+  WireActor volume;                    ///< volume of interest
+  WireActor lineOfSight;               ///< camera line of sight
+  SelectedRangeActor selectedRange;    ///< drawn before the targets, which cover it
+  ParticleCloud undetailedTargetMeans; ///< means of the targets beyond `kMaxDetailedTargets`
   std::vector<std::unique_ptr<TargetActors>> targets;
   std::vector<DisplayColorSource> colorSources; ///< what determines the color of each target
   MeanPath meanPath;
@@ -90,11 +90,11 @@ public:
   View view = View::Free;
   bool isDark = false;
   int chosenTarget = -1;
-  bool bestParticleShown = false;
-  bool raysShown = true;
-  bool imagesShown = false;
-  bool movedByUser = false; ///< whether the user has moved the view
-  bool framingPending = true;
+  bool showsBestParticle = false;
+  bool showsRays = true;
+  bool showsImages = false;
+  bool isViewMovedByUser = false; ///< whether the user has moved the view
+  bool isFramingPending = true;
   int viewportWidth = 0;
   int viewportHeight = 0;
   ScreenScale scale;

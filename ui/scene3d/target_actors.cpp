@@ -75,7 +75,7 @@ void TargetActors::show(const TargetSnapshot& target) {
   // The hull says it better than the points it is made of.
   target.shape == nullptr ? cloud_.show(target.particles, target.weights) : cloud_.hide();
   showEstimate(target);
-  tail_.show(target.tail);
+  tail_.show(target.tailPositions);
   showTruth(target);
   best_ = bestParticleOf(target.estimate);
   showBest();
@@ -127,7 +127,7 @@ void TargetActors::showEstimate(const TargetSnapshot& target) {
   const auto position = positionOf(target.estimate);
   const bool known = position && position->mean.allFinite() &&
                      particleCountOf(target.estimate) > 0 && target.shape == nullptr;
-  held_ = isHeld(target.estimate);
+  held_ = isConfirmed(target.estimate);
   cloudRadius_ = 0.0;
   body_.setVisible(known);
   rim_.setVisible(known);

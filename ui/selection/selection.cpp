@@ -21,7 +21,7 @@ void Selection::selectRange(std::optional<SelectedRange> selectedRange) {
   }
   if (selectedRange != selectedRange_) {
     selectedRange_ = selectedRange;
-    Q_EMIT rangeChanged();
+    Q_EMIT selectedRangeChanged();
   }
 }
 

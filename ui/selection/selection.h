@@ -28,10 +28,10 @@ public:
   /// Returns the frame shown in all views, or -1 before the first frame.
   qint64 currentFrame() const { return currentFrame_; }
   /// Returns the time of the current frame in seconds.
-  double seconds() const { return seconds_; }
+  double currentSeconds() const { return seconds_; }
   /// Returns whether the frame shown is not the current frame of the run: it is earlier, or not
   /// tracked yet.
-  bool showsOtherFrame() const { return past_; }
+  bool isAwayFromLiveFrame() const { return past_; }
   const std::optional<SelectedRange>& selectedRange() const { return selectedRange_; }
   /// Return the index of the selected target and of the selected camera; -1 if none is selected.
   int target() const { return target_; }
@@ -60,7 +60,7 @@ Q_SIGNALS:
   void frameRequested(qint64 frame);
   void liveFrameRequested();
   void currentFrameChanged(qint64 frame, double seconds);
-  void rangeChanged();
+  void selectedRangeChanged();
   void targetSelected(int target);
   void cameraSelected(int camera);
   void plannedCameraSelected(int planned);

@@ -12,8 +12,8 @@ namespace dewpoint::ui {
 
 BackgroundImageLoader::BackgroundImageLoader(QObject* parent)
     : QObject(parent), job_(new BackgroundJob(this)) {
-  connect(job_, &BackgroundJob::ended, this, [this](bool cancelled) {
-    if (cancelled && nextProject_) {
+  connect(job_, &BackgroundJob::ended, this, [this](bool canceled) {
+    if (canceled && nextProject_) {
       start(); // it was changed again meanwhile
     }
   });
@@ -50,7 +50,7 @@ void BackgroundImageLoader::start() {
       }
       std::vector<std::string> files;
       for (const ProjectCamera& camera : project->cameras) {
-        files.push_back(camera.backgroundImage);
+        files.push_back(camera.backgroundImageFile);
       }
       Q_EMIT loaded(files, *images);
     });

@@ -13,14 +13,14 @@ namespace dewpoint::ui {
 /// Request to open a project, with what the window must do once it is open. The request is returned
 /// with the result, so it is not stored anywhere else.
 struct OpenRequest {
-  SessionRequest source;
+  SessionRequest sessionRequest;
   /// True if the document's project is opened again with other inputs; the document then stays
   /// unchanged.
-  bool keepHistory = false;
-  bool isUnsaved = false;            ///< no file contains the project in the state to open
-  bool opensCalibrationPage = false; ///< opens the page for calibration by hand
-  bool opensGuide = false;           ///< opens the calibration guide
-  QString message = {};              ///< message to show once the project is open
+  bool keepsHistory = false;
+  bool isUnsaved = false;             ///< no file contains the project in the state to open
+  bool opensCalibrationPage = false;  ///< opens the page for calibration by hand
+  bool opensCalibrationGuide = false; ///< opens the calibration guide
+  QString message = {};               ///< message to show once the project is open
   std::optional<RecoverableWork> recovered = {}; ///< copy from which the project was read
 };
 

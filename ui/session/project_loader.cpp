@@ -16,7 +16,7 @@ namespace {
 MissingFiles missingFilesOrNull(const SessionRequest& what) {
   auto missing = what.project ? Result<std::vector<MissingFile>>(missingFilesOf(*what.project))
                  : what.file.empty() ? Result<std::vector<MissingFile>>()
-                                     : missingFilesOf(what.file, what.moved);
+                                     : missingFilesOf(what.file, what.movedFiles);
   return missing && !missing->empty()
              ? std::make_shared<const std::vector<MissingFile>>(std::move(*missing))
              : nullptr;
@@ -30,7 +30,7 @@ ProjectLoader::ProjectLoader(ProjectOpener opener, QObject* parent)
 ProjectLoader::~ProjectLoader() = default;
 
 bool ProjectLoader::isReopening() const {
-  return newestRequest_ != nullptr && newestRequest_->keepHistory;
+  return newestRequest_ != nullptr && newestRequest_->keepsHistory;
 }
 
 void ProjectLoader::open(OpenRequest request) {
@@ -39,7 +39,7 @@ void ProjectLoader::open(OpenRequest request) {
     Q_EMIT openingChanged(true);
   }
   job_.start([this, opener = opener_,
-              source = newestRequest_->source](const BackgroundJob::Progress&) {
+              source = newestRequest_->sessionRequest](const BackgroundJob::Progress&) {
     // What nobody wants any more is closed in a thread, too.
     const std::shared_ptr<Result<SessionInputs>> result(new Result<SessionInputs>(opener(source)),
                                                         DetachedDeleter());

@@ -97,18 +97,18 @@ void ResultRefresher::apply() {
 }
 
 void ResultRefresher::trackAgain() {
-  if (session_ == nullptr || old_.frames.empty()) {
+  if (session_ == nullptr || old_.frameRanges.empty()) {
     return;
   }
   suspend();
   setOffered(false);
   refreshing_ = Refreshing::Requested;
   timeout_->start();
-  session_->rerunKeepingView(old_.frames.front().first);
+  session_->rerunKeepingView(old_.frameRanges.front().firstFrame);
 }
 
 void ResultRefresher::setOld(OldResults old) {
-  const bool same = old.frames == old_.frames;
+  const bool same = old.frameRanges == old_.frameRanges;
   old_ = std::move(old);
   if (!same) {
     Q_EMIT oldResultsChanged();

@@ -26,7 +26,7 @@ public:
   void watchSession(Session* session);
   /// Sets the longest expected duration (seconds) for which frames are tracked again without asking
   /// the user.
-  void setQuickLimit(double seconds) { quickSeconds_ = seconds; }
+  void setQuickRerunLimit(double seconds) { quickSeconds_ = seconds; }
   /// Reports that a setting of the run was changed.
   void onSettingEdited();
   /// Reports that the user plays, restarts or tracks again. No frames are tracked again

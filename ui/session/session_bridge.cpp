@@ -23,7 +23,7 @@ SessionBridge::~SessionBridge() {
   ProjectLoader::destroyInBackground(release()); // its threads may hang in a dead camera
 }
 
-TrackSnapshotPtr SessionBridge::withFilledFrames(const TrackSnapshotPtr& snapshot) {
+TrackSnapshotPtr SessionBridge::withMissingImagesFilled(const TrackSnapshotPtr& snapshot) {
   return frameFiller_->withMissingImages(snapshot);
 }
 

@@ -31,7 +31,7 @@ public:
   Session& session() { return *session_; }
   /// Returns a snapshot for camera views, in which cameras without an image keep their last image
   /// for a while (LiveFrameFiller).
-  TrackSnapshotPtr withFilledFrames(const TrackSnapshotPtr& snapshot);
+  TrackSnapshotPtr withMissingImagesFilled(const TrackSnapshotPtr& snapshot);
   /// Releases the session and stops its wake-ups, so that the caller can destroy the session in
   /// another thread.
   std::unique_ptr<Session> release();

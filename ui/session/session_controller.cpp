@@ -31,7 +31,7 @@ SessionController::SessionController(ProjectOpener opener, Document& document, S
   connect(loader_, &ProjectLoader::failed, this,
           [this](const OpenRequest& request, const QString& sentence, const MissingFiles& missing) {
             Q_EMIT openFailed(sentence);
-            if (missing && !request.keepHistory) {
+            if (missing && !request.keepsHistory) {
               Q_EMIT filesMissing(request, missing);
             }
           });
@@ -90,7 +90,7 @@ void SessionController::connectDocument() {
   });
   connect(&document_, &Document::personCorrectionsChanged, this, [this] {
     if (followsDocument()) {
-      bridge_->session().setPersonCorrections(document_.project().people);
+      bridge_->session().setPersonCorrections(document_.project().personCorrections);
     }
   });
   connect(&document_, &Document::correctionsChanged, this, [this] {
@@ -121,15 +121,15 @@ void SessionController::open(OpenRequest request) {
 void SessionController::reopen() {
   // A project that is being opened takes the place of this one anyway.
   if (bridge_ != nullptr && (!loader_->isOpening() || loader_->isReopening())) {
-    loader_->open({.source = document_.project(), .keepHistory = true});
+    loader_->open({.sessionRequest = document_.project(), .keepsHistory = true});
   }
 }
 
 void SessionController::applyOpened(const OpenRequest& request,
                                     const std::shared_ptr<SessionInputs>& inputs) {
   endRun();
-  Q_EMIT documentReplacing(request);
-  if (!request.keepHistory) {
+  Q_EMIT documentAboutToBeReplaced(request);
+  if (!request.keepsHistory) {
     document_.replaceProject(inputs->project, request.isUnsaved);
   } else if (inputs->source->isLive()) {
     storeImageSizes(inputs->project);
@@ -162,7 +162,7 @@ void SessionController::start(const OpenRequest& request, SessionInputs inputs) 
   const bool wantsTarget =
       targets.empty() && methodFamily(inputs.project.method).lacksTargets(targets);
   const bool waits = !inputs.source->isLive() && (request.isUnsaved || wantsTarget);
-  inputs.threads = Preferences().threadCountForFilter();
+  inputs.threadCount = Preferences().filterThreadCount();
   feeds_ = std::exchange(inputs.feeds, {});
   cameraCount_ = inputs.project.cameras.size();
   // Of the window, not of this: it goes after the views, which look at the session to the end.
@@ -189,7 +189,7 @@ void SessionController::close() {
 
 void SessionController::endRun() {
   if (bridge_ != nullptr) {
-    Q_EMIT runEnding();
+    Q_EMIT runAboutToEnd();
   }
   SessionBridge* over = std::exchange(bridge_, nullptr);
   backgroundImageLoader_->cancel();
@@ -210,13 +210,13 @@ void SessionController::endRun() {
   }
 }
 
-TrackSnapshotPtr SessionController::withFilledFrames(const TrackSnapshotPtr& snapshot) {
+TrackSnapshotPtr SessionController::withMissingImagesFilled(const TrackSnapshotPtr& snapshot) {
   if (bridge_ == nullptr || snapshot == nullptr) {
     return snapshot;
   }
   if (snapshot != filledFrom_) {
     filledFrom_ = snapshot;
-    filled_ = bridge_->withFilledFrames(snapshot);
+    filled_ = bridge_->withMissingImagesFilled(snapshot);
   }
   return filled_;
 }
@@ -241,7 +241,7 @@ void SessionController::applyMethod() {
   // What was tracked of a recording is tracked again: how long the other method takes is not known
   // before. Of live cameras whoever looks at an earlier frame wants to see it from there.
   const bool isRecorded = shown_ && shown_->frameCount;
-  if (selection_.showsOtherFrame() || (isRecorded && shown_->history.newestTrackedFrame >= 0)) {
+  if (selection_.isAwayFromLiveFrame() || (isRecorded && shown_->history.newestTrackedFrame >= 0)) {
     session.setMethodFrom(isRecorded ? 0 : selection_.currentFrame(), project.method,
                           project.parameters);
   } else {
@@ -321,7 +321,7 @@ void SessionController::togglePlay() {
     return;
   }
   if (state == PlayState::Ended) {
-    Q_EMIT restarting();
+    Q_EMIT runAboutToRestart();
     discardRequests();
     session.restart();
   }
@@ -332,7 +332,7 @@ void SessionController::restart(bool newSeed) {
   if (bridge_ == nullptr) {
     return;
   }
-  Q_EMIT restarting();
+  Q_EMIT runAboutToRestart();
   discardRequests();
   if (newSeed) {
     // 31 bits: short enough to be read out and typed.
@@ -344,7 +344,7 @@ void SessionController::restart(bool newSeed) {
 
 void SessionController::applyFilterThreadCount() {
   if (bridge_ != nullptr) {
-    bridge_->session().setFilterThreadCount(Preferences().threadCountForFilter());
+    bridge_->session().setFilterThreadCount(Preferences().filterThreadCount());
   }
 }
 

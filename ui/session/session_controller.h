@@ -69,7 +69,7 @@ public:
   const std::vector<std::shared_ptr<capture::EncodedFeed>>& encodedFeeds() const { return feeds_; }
   /// Returns a snapshot for camera views, in which live cameras whose image is delayed keep their
   /// last image.
-  TrackSnapshotPtr withFilledFrames(const TrackSnapshotPtr& snapshot);
+  TrackSnapshotPtr withMissingImagesFilled(const TrackSnapshotPtr& snapshot);
 
   /// Plays or pauses the run. At the end, plays from the beginning.
   void togglePlay();
@@ -107,7 +107,7 @@ Q_SIGNALS:
   /// repeated with their new paths.
   void filesMissing(const OpenRequest& request, const MissingFiles& missing);
   /// Emitted when the previous run has ended and the document is about to change.
-  void documentReplacing(const OpenRequest& request);
+  void documentAboutToBeReplaced(const OpenRequest& request);
   /// Emitted when the document contains the opened project. The run starts in the next iteration of
   /// the event loop.
   void documentReplaced(const OpenRequest& request);
@@ -117,13 +117,13 @@ Q_SIGNALS:
   /// Emitted when opening a project is complete: the run has started to play, or waits for the user
   /// to start it.
   void opened(const OpenRequest& request);
-  /// Emitted when the run restarts from the beginning. Earlier data are no longer shown.
-  void restarting();
+  /// Emitted when the run is about to restart from the beginning. Earlier data are no longer shown.
+  void runAboutToRestart();
   /// Emitted when the run has started at this frame because a target was learned there. The frames
   /// before it are not tracked.
   void startedAtLaterFrame(qint64 frame);
   /// Emitted when the session is about to end, while it still exists.
-  void runEnding();
+  void runAboutToEnd();
   /// Emitted when the session has ended. `snapshotChanged()` with null follows.
   void runEnded();
   /// Emitted when the user has closed the project.

@@ -69,18 +69,18 @@ void CalibrationChoice::choose() {
   }
 }
 
-void CalibrationChoice::startNewProject(bool takesProposals) {
-  takesProposals_ = takesProposals;
+void CalibrationChoice::startNewProject(bool acceptsProposals) {
+  acceptsProposals_ = acceptsProposals;
   useFile({});
 }
 
 void CalibrationChoice::setFile(const QString& file) {
-  takesProposals_ = false;
+  acceptsProposals_ = false;
   useFile(file);
 }
 
 void CalibrationChoice::proposeFile(const QString& file) {
-  if (takesProposals_ && file != file_) {
+  if (acceptsProposals_ && file != file_) {
     useFile(file);
   }
 }
@@ -118,8 +118,8 @@ bool CalibrationChoice::isNameQuestionShown() const {
   return fit_->isNameQuestionShown();
 }
 
-void CalibrationChoice::showFitQuestion() {
-  fit_->showFitQuestion();
+void CalibrationChoice::showImageChangeQuestion() {
+  fit_->showImageChangeQuestion();
 }
 
 QString CalibrationChoice::resultText(const CheckedCalibration& checked, bool& good) const {
@@ -159,9 +159,9 @@ QString CalibrationChoice::resultText(const CheckedCalibration& checked, bool& g
 
 void CalibrationChoice::showResult() {
   const QString name = QFileInfo(file_).fileName();
-  name_->setText(file_.isEmpty()   ? tr("None: the camera positions will only be guesses")
-                 : takesProposals_ ? tr("%1 (found beside the recordings)").arg(name)
-                                   : name);
+  name_->setText(file_.isEmpty()     ? tr("None: the camera positions will only be guesses")
+                 : acceptsProposals_ ? tr("%1 (found beside the recordings)").arg(name)
+                                     : name);
   name_->setToolTip(file_);
   drop_->setVisible(!file_.isEmpty());
   result_->setVisible(!file_.isEmpty());

@@ -27,17 +27,17 @@ class CalibrationChoice : public QWidget {
 public:
   explicit CalibrationChoice(QWidget* parent = nullptr);
 
-  /// Starts a new project, for which no file is selected yet. `takesProposals` is true if a
+  /// Starts a new project, for which no file is selected yet. `acceptsProposals` is true if a
   /// calibration file found beside the recordings may be selected (proposeFile()).
-  void startNewProject(bool takesProposals);
+  void startNewProject(bool acceptsProposals);
   /// Sets the file that the user has chosen; an empty name means that the user wants none. From
   /// then on, a file found beside the recordings (proposeFile()) is ignored.
   void setFile(const QString& file);
   /// Selects a file that was found beside the recordings; an empty name means that none was found.
   /// Does nothing if the user has chosen, or if such files are not wanted for this project
-  /// (takesProposals()).
+  /// (acceptsProposals()).
   void proposeFile(const QString& file);
-  bool takesProposals() const { return takesProposals_; }
+  bool acceptsProposals() const { return acceptsProposals_; }
   QString file() const { return file_; }
   /// Sets the names of the project's cameras.
   void setCameraNames(std::vector<std::string> names);
@@ -47,7 +47,7 @@ public:
   /// project.
   bool isNameQuestionShown() const;
   /// Shows the question how the images differ from those of the calibration.
-  void showFitQuestion();
+  void showImageChangeQuestion();
   /// Returns the last button in Tab order.
   QWidget* lastButtonInTabOrder() const;
 
@@ -68,7 +68,7 @@ private:
   QLabel* result_;
   CalibrationFit* fit_;
   QString file_;
-  bool takesProposals_ = true; ///< the user has chosen nothing; a selected file was proposed
+  bool acceptsProposals_ = true; ///< the user has chosen nothing; a selected file was proposed
   std::vector<std::string> cameras_;
   std::optional<CheckedCalibration> checked_; ///< result for the file; empty while it is being read
   LatestJob checking_{LatestJob::SupersededJob::Dropped};

@@ -63,7 +63,7 @@ void CalibrationFit::reset() {
   fillNames();
 }
 
-void CalibrationFit::showFitQuestion() {
+void CalibrationFit::showImageChangeQuestion() {
   fitRow_->show();
 }
 
@@ -114,11 +114,11 @@ void CalibrationFit::fillNames() {
 
 CalibrationAdaptation CalibrationFit::adaptation() const {
   CalibrationAdaptation answers;
-  answers.fit = parseSizeFit(fit_->currentData().toString().toStdString());
+  answers.sizeFit = parseSizeFit(fit_->currentData().toString().toStdString());
   for (std::size_t k = 0; k < choices_.size(); ++k) {
     const std::string name = choices_[k]->currentData().toString().toStdString();
     if (!name.empty() && name != cameras_[k]) {
-      answers.names[cameras_[k]] = name;
+      answers.cameraRenaming[cameras_[k]] = name;
     }
   }
   return answers;

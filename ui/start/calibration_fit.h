@@ -33,7 +33,7 @@ public:
   bool isNameQuestionShown() const { return !choices_.empty(); }
   /// Shows the question how the images were changed since the calibration, for example scaled or
   /// cropped.
-  void showFitQuestion();
+  void showImageChangeQuestion();
   /// Returns the user's answers.
   CalibrationAdaptation adaptation() const;
   /// Returns whether every camera of the project has a camera in the file, by the answers or by its

@@ -136,14 +136,14 @@ void CameraTable::addFootage(const FootageLocation& place) {
   Q_EMIT changed();
 }
 
-void CameraTable::addAddress() {
+void CameraTable::addAddressRow() {
   addFootage(FootageLocation());
   const int row = rowCount() - 1;
   setCurrentCell(row, kSourceColumn);
   editItem(item(row, kSourceColumn));
 }
 
-void CameraTable::removeSelected() {
+void CameraTable::removeSelectedRows() {
   while (hasSelection()) {
     removeRow(selectedItems().front()->row());
   }
@@ -192,7 +192,7 @@ void CameraTable::examine(const QString& text) {
   jobs_->add([this, location]() -> std::function<void()> {
     const std::string place = location.toStdString();
     const bool isImageFolder = guessSourceKind(place) == SourceKind::Images;
-    Known known;
+    SourceInfo known;
     if (auto facts = readFootageFacts(place)) {
       known.facts = std::move(*facts);
     } else {
@@ -203,7 +203,7 @@ void CameraTable::examine(const QString& text) {
   });
 }
 
-void CameraTable::applyFound(const QString& location, bool isImageFolder, const Known& known) {
+void CameraTable::applyFound(const QString& location, bool isImageFolder, const SourceInfo& known) {
   if (isImageFolder) {
     imageFolders_.insert(location);
   }
@@ -257,7 +257,7 @@ void CameraTable::showKnown(int row) {
   found->setForeground(color);
 }
 
-QString CameraTable::mismatchText() const {
+QString CameraTable::recordingMismatchText() const {
   std::vector<FootageFacts> recordings;
   for (int row = 0; row < rowCount(); ++row) {
     const auto known = known_.find(locationAt(row));
@@ -267,7 +267,7 @@ QString CameraTable::mismatchText() const {
   }
   const FootageDifferences differences = footageDifferences(recordings);
   QStringList sentences;
-  if (differences.ratesDiffer) {
+  if (differences.frameRatesDiffer) {
     sentences << tr("The videos have different frame rates: frame N does not show the same time in "
                     "each of them.");
   }
@@ -275,7 +275,7 @@ QString CameraTable::mismatchText() const {
     sentences << tr("The videos differ in length: only the first %n frames are used.", nullptr,
                     static_cast<int>(*differences.shortestFrameCount));
   }
-  if (differences.sizesDiffer) {
+  if (differences.imageSizesDiffer) {
     sentences << tr("The videos differ in size: each camera keeps its own size.");
   }
   return sentences.join(QLatin1Char('\n'));

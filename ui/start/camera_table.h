@@ -37,8 +37,8 @@ public:
   void clearTable();
   void addFootage(const FootageLocation& place);
   /// Adds an empty row in which the user can type the address of a camera.
-  void addAddress();
-  void removeSelected();
+  void addAddressRow();
+  void removeSelectedRows();
   bool isListed(const QString& location) const;
   bool hasSelection() const { return !selectedItems().isEmpty(); }
   /// Returns whether any source is a folder of images.
@@ -46,7 +46,7 @@ public:
   std::vector<NewCamera> cameras() const;
   /// Returns a hint about recordings that differ from each other, or an empty string if there is
   /// nothing to report.
-  QString mismatchText() const;
+  QString recordingMismatchText() const;
 
 Q_SIGNALS:
   /// Emitted when rows, names, sources, source information or the selection have changed.
@@ -57,19 +57,19 @@ protected:
 
 private:
   /// Information found about a location.
-  struct Known {
+  struct SourceInfo {
     std::optional<FootageFacts> facts; ///< empty for a live camera or an unreadable location
     std::optional<Error> problem;
   };
   void examine(const QString& location);
-  void applyFound(const QString& location, bool isImageFolder, const Known& known);
+  void applyFound(const QString& location, bool isImageFolder, const SourceInfo& known);
   QString locationAt(int row) const;
   QString textAt(int row, int column) const;
   void showKnown();
   void showKnown(int row);
 
-  std::map<QString, Known> known_; ///< what was found about each source, keyed by its location
-  QSet<QString> imageFolders_;     ///< sources that are known to be folders of images
+  std::map<QString, SourceInfo> known_; ///< what was found about each source, keyed by its location
+  QSet<QString> imageFolders_;          ///< sources that are known to be folders of images
   std::unique_ptr<JobQueue> jobs_; ///< for this project; results for an earlier project are ignored
 };
 

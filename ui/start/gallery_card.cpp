@@ -48,8 +48,8 @@ void paintPlaySign(QPainter& painter, const QPointF& middle, const QPalette& pal
 
 } // namespace
 
-GalleryCard::GalleryCard(const char* name, Form form, QWidget* parent)
-    : QToolButton(parent), form_(form) {
+GalleryCard::GalleryCard(const char* name, CardLayout cardLayout, QWidget* parent)
+    : QToolButton(parent), cardLayout_(cardLayout) {
   setObjectName(QLatin1String(name));
   setFocusPolicy(Qt::StrongFocus);
   setCursor(Qt::PointingHandCursor);
@@ -81,7 +81,7 @@ void GalleryCard::setTexts(const QString& title, const QString& line) {
   line_ = line;
   setAccessibleName(title);
   setAccessibleDescription(line);
-  setToolTip(form_ == Form::Row ? line : QString()); // the others have room to say it
+  setToolTip(cardLayout_ == CardLayout::Row ? line : QString()); // the others have room to say it
   updateGeometry();
   update();
 }
@@ -95,7 +95,7 @@ void GalleryCard::setBusy(bool busy) {
 QFont GalleryCard::titleFont() const {
   QFont title = font();
   title.setWeight(QFont::DemiBold);
-  title.setPointSizeF(title.pointSizeF() * (form_ == Form::Large ? 1.5 : 1.05));
+  title.setPointSizeF(title.pointSizeF() * (cardLayout_ == CardLayout::Large ? 1.5 : 1.05));
   return title;
 }
 
@@ -110,12 +110,12 @@ int GalleryCard::textHeight(int width) const {
 }
 
 int GalleryCard::heightForWidth(int width) const {
-  switch (form_) {
-  case Form::Tile:
+  switch (cardLayout_) {
+  case CardLayout::Tile:
     return width * kHigh / kWide + textHeight(width - 2 * kCardPadding) + 2 * kCardPadding;
-  case Form::Large:
+  case CardLayout::Large:
     return kLargeHeight;
-  case Form::Row:
+  case CardLayout::Row:
     break;
   }
   const int beside = 3 * kCardPadding + kSymbolSize;
@@ -159,8 +159,9 @@ void GalleryCard::paintPicture(QPainter& painter, const QRect& area) {
     const double corner = (kCardCorner - 1) * ratio;
     QPainterPath shape = roundedPath(QRectF(QPointF(), size), corner);
     // The two corners at which the card goes on are square.
-    form_ == Form::Tile ? shape.addRect(0.0, 0.5 * size.height(), size.width(), 0.5 * size.height())
-                        : shape.addRect(0.5 * size.width(), 0.0, 0.5 * size.width(), size.height());
+    cardLayout_ == CardLayout::Tile
+        ? shape.addRect(0.0, 0.5 * size.height(), size.width(), 0.5 * size.height())
+        : shape.addRect(0.5 * size.width(), 0.0, 0.5 * size.width(), size.height());
     shape.setFillRule(Qt::WindingFill);
     clip.fillPath(shape, Qt::black);
     clip.setCompositionMode(QPainter::CompositionMode_SourceIn);
@@ -183,12 +184,12 @@ void GalleryCard::paintEvent(QPaintEvent* /*event*/) {
   painter.setPen(Qt::NoPen);
   painter.drawRoundedRect(rect(), kCardCorner, kCardCorner);
   const QRect inside = rect().adjusted(1, 1, -1, -1);
-  if (form_ == Form::Tile) {
+  if (cardLayout_ == CardLayout::Tile) {
     const QRect above(inside.topLeft(), QSize(inside.width(), width() * kHigh / kWide));
     paintPicture(painter, above);
     paintTexts(painter, QRect(kCardPadding, above.bottom() + kCardPadding,
                               width() - 2 * kCardPadding, height() - above.bottom()));
-  } else if (form_ == Form::Large) {
+  } else if (cardLayout_ == CardLayout::Large) {
     const int wide = std::min(inside.height() * kWide / kHigh, inside.width() * 11 / 20);
     const QRect left(inside.topLeft(), QSize(wide, inside.height()));
     paintPicture(painter, left);

@@ -13,12 +13,12 @@ namespace dewpoint::ui {
 class GalleryCard : public QToolButton {
   Q_OBJECT
 public:
-  enum class Form {
+  enum class CardLayout {
     Tile,  ///< image above the texts
     Large, ///< image on the left, large texts next to it
     Row    ///< icon on the left, both texts next to it
   };
-  GalleryCard(const char* name, Form form, QWidget* parent);
+  GalleryCard(const char* name, CardLayout cardLayout, QWidget* parent);
 
   /// Sets the image of a tile to the resource gallery/`name`.jpg.
   void setPicture(const QString& name);
@@ -49,7 +49,7 @@ private:
   void paintPicture(QPainter& painter, const QRect& area);
   void drawSymbol();
 
-  Form form_;
+  CardLayout cardLayout_;
   QPixmap picture_;
   QPixmap shownPicture_; ///< image as last drawn, with rounded corners
   QString symbol_;

@@ -88,16 +88,16 @@ void NewProjectPage::makeButtons() {
   addVideos_ = addButton("newAddVideos", [this] { chooseVideos(); });
   addFolder_ = addButton("newAddFolder", [this] { chooseFolder(); });
   addDevices_ = addButton("newAddDevices", [this] { addConnectedCameras(); });
-  addAddress_ = addButton("newAddAddress", [this] { cameras_->addAddress(); });
+  addAddress_ = addButton("newAddAddress", [this] { cameras_->addAddressRow(); });
   remove_ = addButton("newRemove", [this] {
-    cameras_->removeSelected();
+    cameras_->removeSelectedRows();
     findCalibration(); // of those that are left
   });
   create_ = addButton("newCreate", [this] { createProject(); });
   create_->setDefault(true);
   cancel_ = addButton("newCancel", [this] {
     cancelWork();
-    Q_EMIT cancelled();
+    Q_EMIT canceled();
   });
   buttons_->layout()->setSpacing(kSpacing);
   buttons_->addButton(create_, QDialogButtonBox::AcceptRole);
@@ -216,7 +216,7 @@ void NewProjectPage::addFiles(const QStringList& files) {
   std::vector<std::string> names;
   std::ranges::transform(files, std::back_inserter(names), &QString::toStdString);
   std::vector<std::string> footage;
-  for (const std::string& name : inNaturalOrder(std::move(names))) {
+  for (const std::string& name : sortedInNaturalOrder(std::move(names))) {
     const QString file = QString::fromStdString(name);
     if (hasCalibrationSuffix(file)) {
       calibration_->setFile(file);
@@ -252,7 +252,7 @@ void NewProjectPage::addFootage(const std::vector<FootageLocation>& places) {
 }
 
 void NewProjectPage::findCalibration() {
-  if (!calibration_->takesProposals()) {
+  if (!calibration_->acceptsProposals()) {
     return;
   }
   std::vector<std::string> recordings;
@@ -291,7 +291,7 @@ void NewProjectPage::chooseFolder() {
 }
 
 void NewProjectPage::addConnectedCameras() {
-  search([devices = devices_] { return locationsOf(pathsOf(devices->list())); },
+  search([devices = devices_] { return locationsOf(pathsOf(devices->listDevices())); },
          [this](const std::vector<FootageLocation>& devices) {
            std::ranges::for_each(
                devices, [this](const FootageLocation& device) { cameras_->addFootage(device); });
@@ -309,7 +309,7 @@ void NewProjectPage::refresh() {
   rate_->setVisible(cameras_->hasImageFolders());
   remove_->setEnabled(cameras_->hasSelection());
   create_->setEnabled(any && pendingSearches_ == 0);
-  const QString note = cameras_->mismatchText();
+  const QString note = cameras_->recordingMismatchText();
   note_->setText(note);
   note_->setVisible(!note.isEmpty());
   QPalette colors = palette();
@@ -327,7 +327,7 @@ NewProject NewProjectPage::newProject() const {
   wanted.name = name_->text().toStdString();
   wanted.cameras = cameras_->cameras();
   if (!calibration_->file().isEmpty()) {
-    wanted.calibration = calibration_->file().toStdString();
+    wanted.calibrationFile = calibration_->file().toStdString();
     wanted.adaptation = calibration_->adaptation();
   }
   wanted.framesPerSecond = rate_->value();
@@ -340,14 +340,14 @@ void NewProjectPage::createProject() {
     bool images = false;
     bool live = false;
     for (NewCamera& camera : wanted.cameras) {
-      camera.source = guessSourceKind(camera.location);
-      images = images || camera.source == SourceKind::Images;
-      live = live || camera.source == SourceKind::Device;
+      camera.sourceKind = guessSourceKind(camera.location);
+      images = images || camera.sourceKind == SourceKind::Images;
+      live = live || camera.sourceKind == SourceKind::Device;
     }
     wanted.framesPerSecond = images ? wanted.framesPerSecond : 0.0;
     auto result = std::make_shared<Result<CreatedProject>>(createNewProject(wanted));
     if (*result && live) { // its cameras are recognized wherever they are plugged in later
-      identifyDevices((*result)->project, devices->list());
+      identifyDevices((*result)->project, devices->listDevices());
     }
     return [this, result] { finish(*result); };
   };
@@ -360,7 +360,7 @@ void NewProjectPage::finish(const Result<CreatedProject>& result) {
   if (!result) {
     const ImportProblem asked = importProblem(result.error());
     if (asked.question == ImportQuestion::Fit) {
-      calibration_->showFitQuestion();
+      calibration_->showImageChangeQuestion();
       Q_EMIT failed(tr("%1. Choose below how the images differ from those of the calibration.")
                         .arg(errorText(asked.error)));
       return;
@@ -378,7 +378,7 @@ void NewProjectPage::finish(const Result<CreatedProject>& result) {
     return;
   }
   QString note;
-  if (result->wasMatchedByOrder) {
+  if (result->wereCamerasMatchedByOrder) {
     note = tr("The calibration uses other camera names. The cameras were matched by order.");
   }
   QStringList names;
@@ -388,7 +388,7 @@ void NewProjectPage::finish(const Result<CreatedProject>& result) {
   for (const std::string& decision : result->decisions) {
     note += (note.isEmpty() ? QString() : QStringLiteral(" ")) + QString::fromStdString(decision);
   }
-  for (const CameraDisagreement& fault : result->faults) {
+  for (const CameraDisagreement& fault : result->likelyMistakes) {
     note += (note.isEmpty() ? QString() : QStringLiteral(" ")) +
             tr("Probably a mistake in the calibration: %1").arg(disagreementText(fault, names));
   }

@@ -52,7 +52,7 @@ Q_SIGNALS:
   /// Emitted when the project was created. `note` is a hint for the user; may be empty.
   void created(const dewpoint::project::Project& project, const QString& note);
   void failed(const QString& sentence);
-  void cancelled();
+  void canceled();
 
 private:
   static std::vector<FootageLocation> locationsOf(const std::vector<std::string>& locations);

@@ -69,12 +69,12 @@ constexpr std::array kGallery = std::to_array<GalleryEntry>({
 StartPage::StartPage(RecentProjects& recent, QWidget* parent)
     : QWidget(parent), projects_(recent), page_(new QWidget), title_(new QLabel(page_)),
       intro_(new QLabel(page_)),
-      demo_(new GalleryCard("startDemo", GalleryCard::Form::Large, page_)),
+      demo_(new GalleryCard("startDemo", GalleryCard::CardLayout::Large, page_)),
       gallery_(new CardGrid(page_)), ownTitle_(makePageTitle(page_)),
-      videos_(new GalleryCard("startVideos", GalleryCard::Form::Row, page_)),
-      cameras_(new GalleryCard("startCameras", GalleryCard::Form::Row, page_)),
-      calibrate_(new GalleryCard("startGuide", GalleryCard::Form::Row, page_)),
-      open_(new GalleryCard("startProject", GalleryCard::Form::Row, page_)),
+      videos_(new GalleryCard("startVideos", GalleryCard::CardLayout::Row, page_)),
+      cameras_(new GalleryCard("startCameras", GalleryCard::CardLayout::Row, page_)),
+      calibrate_(new GalleryCard("startGuide", GalleryCard::CardLayout::Row, page_)),
+      open_(new GalleryCard("startProject", GalleryCard::CardLayout::Row, page_)),
       recentTitle_(makePageTitle(page_)), recent_(new RecentList(recent, page_)),
       hint_(new QLabel(page_)) {
   setObjectName(QStringLiteral("startPage"));
@@ -96,13 +96,13 @@ void StartPage::makeScenes() {
   const auto opens = [this](GalleryCard* card, const QString& scene, bool calibrate) {
     connect(card, &QToolButton::clicked, this, [this, card, scene, calibrate] {
       pressed_ = card;
-      Q_EMIT sceneRequested(scene, calibrate);
+      Q_EMIT builtInSceneRequested(scene, calibrate);
     });
   };
   demo_->setPicture(QStringLiteral("demo"));
   opens(demo_, {}, false);
   for (const GalleryEntry& entry : kGallery) {
-    auto* card = new GalleryCard(entry.card, GalleryCard::Form::Tile, gallery_);
+    auto* card = new GalleryCard(entry.card, GalleryCard::CardLayout::Tile, gallery_);
     card->setPicture(QLatin1String(entry.picture));
     opens(card, QLatin1String(entry.scene), entry.calibrate);
     gallery_->add(card);
@@ -115,8 +115,8 @@ void StartPage::makeOwnRecordingCards() {
   cameras_->setSymbol(QStringLiteral("camera"));
   calibrate_->setSymbol(QStringLiteral("mark"));
   open_->setSymbol(QStringLiteral("open"));
-  connect(videos_, &QToolButton::clicked, this, &StartPage::videosRequested);
-  connect(cameras_, &QToolButton::clicked, this, &StartPage::camerasRequested);
+  connect(videos_, &QToolButton::clicked, this, &StartPage::startWithVideosRequested);
+  connect(cameras_, &QToolButton::clicked, this, &StartPage::startWithCamerasRequested);
   connect(calibrate_, &QToolButton::clicked, this, &StartPage::calibrationRequested);
   connect(open_, &QToolButton::clicked, this, [this] { Q_EMIT projectRequested({}); });
   connect(recent_, &RecentList::openRequested, this, &StartPage::projectRequested);

@@ -32,9 +32,9 @@ public:
 Q_SIGNALS:
   /// Emitted when the user selects the built-in scene with this name (empty for the demo). If
   /// `calibrate` is true, the page for calibration by hand must also be opened.
-  void sceneRequested(const QString& name, bool calibrate);
-  void videosRequested();
-  void camerasRequested();
+  void builtInSceneRequested(const QString& name, bool calibrate);
+  void startWithVideosRequested();
+  void startWithCamerasRequested();
   void calibrationRequested(); ///< the user wants to calibrate videos with the calibration guide
   /// Emitted when the user wants to open this project; empty if the user should select a file.
   void projectRequested(const QString& file);

@@ -13,7 +13,7 @@ namespace dewpoint::ui {
 struct Halo {
   int alpha = 150;
   double extraWidthPx = 2.2;             ///< additional width compared with the bright line, pixels
-  bool alwaysSolid = false;              ///< solid, even under a dashed line
+  bool isAlwaysSolid = false;            ///< solid, even under a dashed line
   Qt::PenCapStyle cap = Qt::RoundCap;    ///< ends of the halo and of the bright line
   Qt::PenJoinStyle join = Qt::RoundJoin; ///< corners of the halo and of the bright line
 };
@@ -29,13 +29,13 @@ constexpr Halo edgeHalo(int alpha, double extra) {
 /// Returns the pen for the halo under a line of this width (pixels).
 inline QPen haloPen(double width, const Halo& halo = {}, Qt::PenStyle style = Qt::SolidLine) {
   return QPen(QColor(0, 0, 0, halo.alpha), width + halo.extraWidthPx,
-              halo.alwaysSolid ? Qt::SolidLine : style, halo.cap, halo.join);
+              halo.isAlwaysSolid ? Qt::SolidLine : style, halo.cap, halo.join);
 }
 
 /// Calls `draw` twice: first with the pen of the halo, then with the pen of the bright line.
 template <class Draw>
-void withHalo(QPainter& painter, const QColor& color, double width, const Draw& draw,
-              Qt::PenStyle style = Qt::SolidLine, const Halo& halo = {}) {
+void drawWithHalo(QPainter& painter, const QColor& color, double width, const Draw& draw,
+                  Qt::PenStyle style = Qt::SolidLine, const Halo& halo = {}) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(haloPen(width, halo, style));
   draw();

@@ -6,7 +6,7 @@
 
 namespace dewpoint::ui {
 
-DisplayBackground displayGroundOf(const QPalette& palette) {
+DisplayBackground displayBackgroundOf(const QPalette& palette) {
   return isDarkPalette(palette) ? DisplayBackground::Dark : DisplayBackground::Light;
 }
 

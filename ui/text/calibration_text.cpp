@@ -66,29 +66,30 @@ QString accuracyText(const CalibrationAccuracy& accuracy) {
     return value && std::isfinite(*value);
   };
   const QString unknown = CalibrationText::tr("unknown");
-  const QString position =
-      isKnown(accuracy.position95)
-          ? CalibrationText::tr("±%1").arg(lengthText(accuracy.position95, LengthForm::TwoDigits))
-          : unknown;
+  const QString position = isKnown(accuracy.positionError95)
+                               ? CalibrationText::tr("±%1").arg(
+                                     lengthText(accuracy.positionError95, LengthForm::TwoDigits))
+                               : unknown;
   const QString scale =
-      isKnown(accuracy.scale95)
-          ? CalibrationText::tr("±%1 %").arg(percentAccuracyText(*accuracy.scale95))
+      isKnown(accuracy.scaleError95)
+          ? CalibrationText::tr("±%1 %").arg(percentAccuracyText(*accuracy.scaleError95))
           : unknown;
-  const QString up = isKnown(accuracy.upAngle95)
-                         ? CalibrationText::tr("±%1").arg(angleAccuracyText(*accuracy.upAngle95))
-                         : CalibrationText::tr("not measured yet (use the page Floor)");
+  const QString up =
+      isKnown(accuracy.upAngleError95)
+          ? CalibrationText::tr("±%1").arg(angleAccuracyText(*accuracy.upAngleError95))
+          : CalibrationText::tr("not measured yet (use the page Floor)");
   const QString inside =
       CalibrationText::tr("In the calibrated volume: position %1, scale %2, upward direction %3 "
                           "(95 % of the errors are smaller).")
           .arg(position, scale, up);
-  if (!isKnown(accuracy.outsidePosition95)) {
+  if (!isKnown(accuracy.outsidePositionError95)) {
     return inside;
   }
   return inside + QLatin1Char(' ') +
          CalibrationText::tr(
              "Outside the calibrated volume, up to %1 away: position ±%2 (extrapolated).")
-             .arg(lengthText(accuracy.outsideDistance, LengthForm::TwoDigits),
-                  lengthText(*accuracy.outsidePosition95, LengthForm::TwoDigits));
+             .arg(lengthText(accuracy.outsideRegionDepth, LengthForm::TwoDigits),
+                  lengthText(*accuracy.outsidePositionError95, LengthForm::TwoDigits));
 }
 
 QString faultText(const DetectedFault& fault, const QStringList& cameraNames) {

@@ -42,7 +42,7 @@ QString swappedText(const CameraDisagreement& found, const QStringList& names) {
 }
 
 QString rotatedText(const CameraDisagreement& found, const QStringList& names) {
-  const QString angle = angleText(found.turns.at(0).norm(), 1);
+  const QString angle = angleText(found.rotationCorrections.at(0).norm(), 1);
   if (found.cameras.size() > 1) {
     return translatedAgreement(
                QT_TRANSLATE_NOOP("CameraAgreement",
@@ -92,7 +92,7 @@ QString disagreementText(const CameraDisagreement& found, const QStringList& nam
     return translatedAgreement(
                QT_TRANSLATE_NOOP("CameraAgreement",
                                  "The calibration seems to be in %1 instead of meters."))
-        .arg(unitText(found.scale));
+        .arg(unitText(found.metersPerUnit));
   case CameraFault::SamePose:
     return translatedAgreement(
                QT_TRANSLATE_NOOP("CameraAgreement", "%1 and %2 have the same pose."))

@@ -22,7 +22,7 @@ QString cameraMotionText(const CameraMotionReport* report) {
     return {};
   }
   return QCoreApplication::translate("CameraMotion", "rotated by %1")
-      .arg(angleText(report->event.turn.turn.norm(), 2));
+      .arg(angleText(report->event.rotation.turn.norm(), 2));
 }
 
 } // namespace dewpoint::ui

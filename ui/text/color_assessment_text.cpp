@@ -76,9 +76,9 @@ QString suggestionSentence(const ColorAssessment& assessment) {
 
 /// What the score is made of: the target that does not match, the background that does.
 QString sharesSentence(const ColorAssessment& assessment) {
-  const QString background = percentText(assessment.backgroundShare, 2);
+  const QString background = percentNumber(assessment.backgroundShare, 2);
   if (!assessment.missesTarget() && assessment.isGood()) {
-    return background == percentText(0.0, 2)
+    return background == percentNumber(0.0, 2)
                ? ColorText::tr("Almost nothing else in the images has this color.")
                : ColorText::tr("Only %1 % of the background has this color too, which is little "
                                "compared with the target.")
@@ -89,13 +89,13 @@ QString sharesSentence(const ColorAssessment& assessment) {
   }
   const QString few =
       ColorText::tr("This color covers only %1 % of the target, and %2 % of the background.")
-          .arg(percentText(assessment.targetShare, 0), background);
+          .arg(percentNumber(assessment.targetShare, 0), background);
   const double whole = assessment.backgroundShareOfFullRange.value_or(0.0);
   return whole > assessment.backgroundShare
              ? few + QLatin1Char(' ') +
                    ColorText::tr("A color range that covers the whole target would also cover %1 % "
                                  "of the background.")
-                       .arg(percentText(whole, 2))
+                       .arg(percentNumber(whole, 2))
              : few;
 }
 
@@ -114,13 +114,13 @@ QString colorName(ColorName color) {
 
 QString colorAssessmentText(const ColorAssessment& assessment,
                             const std::vector<QString>& cameras) {
-  if (!assessment.targetKnown) {
+  if (!assessment.isTargetKnown) {
     return ColorText::tr("%1 % of the pixels have this color. Shift-click the target to see how "
                          "well its color stands out.")
-        .arg(percentText(assessment.backgroundShare, 2));
+        .arg(percentNumber(assessment.backgroundShare, 2));
   }
   QStringList sentences{separationSentence(assessment.score()), sharesSentence(assessment)};
-  if (assessment.sampleLeftOut) {
+  if (assessment.isSampleLeftOut) {
     sentences << ColorText::tr("One sample hardly matches the learned color: the sample resembles "
                                "its surroundings or shows another object.");
   }
@@ -129,7 +129,8 @@ QString colorAssessmentText(const ColorAssessment& assessment,
     const auto camera = static_cast<std::size_t>(region.camera);
     sentences << ColorText::tr("Outside the target, the largest region of this color (%1) is in "
                                "the image of %3, %2.")
-                     .arg(colorName(region.color), placeName(region.horizontal, region.vertical),
+                     .arg(colorName(region.color),
+                          placeName(region.horizontalThird, region.verticalThird),
                           camera < cameras.size() ? cameras[camera] : QString());
   }
   if (const QString suggestion = suggestionSentence(assessment); !suggestion.isEmpty()) {

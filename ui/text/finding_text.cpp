@@ -40,11 +40,11 @@ QString translated(std::string_view words, const std::vector<std::string>& value
 } // namespace
 
 QString findingText(const Finding& finding) {
-  return translated(textsOf(finding.kind).sentence, finding.values);
+  return translated(textsOf(finding.kind).description, finding.placeholderValues);
 }
 
 QString findingAdvice(const Finding& finding) {
-  return translated(textsOf(finding.kind).advice, finding.values);
+  return translated(textsOf(finding.kind).advice, finding.placeholderValues);
 }
 
 QString findingLocationText(const Finding& finding) {

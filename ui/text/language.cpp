@@ -44,7 +44,7 @@ bool install(const QLocale& locale, const QString& name, const QString& folder) 
 
 } // namespace
 
-QStringList languages() {
+QStringList availableLanguages() {
   QStringList names;
   for (const QString& file : QDir(kFolder).entryList({kPrefix + QLatin1String("*.qm")})) {
     names.append(file.sliced(kPrefix.size()).chopped(3));
@@ -52,7 +52,7 @@ QStringList languages() {
   return names;
 }
 
-QString languageTag() {
+QString currentLanguageTag() {
   const QString language =
       installed().empty() ? QString() : installed().back()->language(); // Qt's own come first
   return language.isEmpty() ? QStringLiteral("en") : QLocale(language).bcp47Name();

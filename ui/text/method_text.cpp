@@ -25,7 +25,7 @@ QString asItIs(std::string_view text) {
 
 MethodTexts methodTexts(const Method& method) {
   return {methodTranslated(tracking::headingOf(method)), methodTranslated(method.text.title),
-          methodTranslated(method.text.sentence), asItIs(method.name), asItIs(method.text.paper)};
+          methodTranslated(method.text.summary), asItIs(method.name), asItIs(method.text.paper)};
 }
 
 QString methodObstacleText(MethodObstacle obstacle) {

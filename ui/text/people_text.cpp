@@ -27,25 +27,25 @@ std::optional<double> learnedBackgroundShare(const TrackSnapshot& snapshot, int 
                                                            : std::nullopt;
 }
 
-QString learningText(double share) {
+QString backgroundLearningText(double share) {
   return QCoreApplication::translate("People", "learning background: %1 % · keep the scene empty")
-      .arg(percentText(share));
+      .arg(percentNumber(share));
 }
 
-QString shortLearningText(double share) {
-  return QCoreApplication::translate("People", "learning: %1 %").arg(percentText(share));
+QString shortBackgroundLearningText(double share) {
+  return QCoreApplication::translate("People", "learning: %1 %").arg(percentNumber(share));
 }
 
 QString peopleObstacleText(const TrackSnapshot& snapshot, int camera) {
   if (const auto share = learnedBackgroundShare(snapshot, camera)) {
-    return learningText(*share);
+    return backgroundLearningText(*share);
   }
   const PeopleCameraState* state = stateOf(snapshot, camera);
   if (state == nullptr || state->isUsable || state->foregroundFraction <= 0.0) {
     return {};
   }
   return QCoreApplication::translate("People", "image ignored: %1 % of it is moving")
-      .arg(percentText(state->foregroundFraction));
+      .arg(percentNumber(state->foregroundFraction));
 }
 
 int peopleCount(const TrackSnapshot& snapshot) {

@@ -14,10 +14,10 @@ namespace dewpoint::ui {
 std::optional<double> learnedBackgroundShare(const TrackSnapshot& snapshot, int camera);
 /// Returns a text about the progress of learning the background, with a request to stay out of
 /// view. `share` is 0 to 1.
-QString learningText(double share);
+QString backgroundLearningText(double share);
 /// Returns a short text about the progress of learning the background, for example "learning: 60
 /// %". `share` is 0 to 1.
-QString shortLearningText(double share);
+QString shortBackgroundLearningText(double share);
 /// Returns the reason why a camera cannot detect people (it is learning, or too much is moving), or
 /// an empty string if it can.
 QString peopleObstacleText(const TrackSnapshot& snapshot, int camera);

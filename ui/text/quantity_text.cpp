@@ -169,13 +169,13 @@ QString angleAccuracyText(double radians) {
   return degreesText(significantDigitsText(inDegrees(radians), 2));
 }
 
-QString shareText(double share) {
+QString percentText(double share) {
   const bool part = share > 0.0 && share < 1.0;
   const double percent = part ? std::clamp(inPercent(share), 1.0, 99.0) : inPercent(share);
   return numberText(percent, 0) + QStringLiteral(" %");
 }
 
-QString percentText(double share, int decimals) {
+QString percentNumber(double share, int decimals) {
   return numberText(inPercent(share), decimals);
 }
 

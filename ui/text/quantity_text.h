@@ -59,9 +59,9 @@ QString angleAccuracyText(double radians);
 
 /// Returns a fraction (0 to 1) as a percentage. The result is 100 only if the fraction is exactly
 /// 1, and 0 only if it is exactly 0.
-QString shareText(double share);
+QString percentText(double share);
 /// Returns a fraction (0 to 1) as a percentage, without the percent sign.
-QString percentText(double share, int decimals = 0);
+QString percentNumber(double share, int decimals = 0);
 /// Returns an accuracy, given as a fraction, as a percentage with two significant digits.
 QString percentAccuracyText(double share);
 

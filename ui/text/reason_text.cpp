@@ -20,7 +20,7 @@ class Reason {
 } // namespace
 
 QString cameraReasonText(const CameraReport& report) {
-  const QString distance = pixelText(std::max(1.0, std::round(report.distancePx)), 0);
+  const QString distance = pixelText(std::max(1.0, std::round(report.outlineDistancePx)), 0);
   switch (report.status) {
   case CameraStatus::None:
     break;
@@ -37,8 +37,8 @@ QString cameraReasonText(const CameraReport& report) {
   case CameraStatus::Hidden:
     return Reason::tr("hidden");
   case CameraStatus::Distractor:
-    return report.distancePx < 1.0 ? Reason::tr("at a distractor")
-                                   : Reason::tr("%1 away from a distractor").arg(distance);
+    return report.outlineDistancePx < 1.0 ? Reason::tr("at a distractor")
+                                          : Reason::tr("%1 away from a distractor").arg(distance);
   case CameraStatus::NoColor:
     return Reason::tr("no matching color");
   case CameraStatus::Elsewhere:
@@ -69,7 +69,7 @@ QString cameraReasonTextInImage(const CameraReport& report) {
   return cameraReasonText(report);
 }
 
-bool isBlind(const CameraReport& report) {
+bool isCameraBlind(const CameraReport& report) {
   return report.status == CameraStatus::Hidden || report.status == CameraStatus::OutOfView ||
          report.status == CameraStatus::Covered || report.status == CameraStatus::Dark ||
          report.status == CameraStatus::NoColor;

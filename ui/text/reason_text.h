@@ -15,9 +15,9 @@ QString cameraReasonText(const CameraReport& report);
 /// this camera ("hidden here").
 QString cameraReasonTextInImage(const CameraReport& report);
 /// Returns whether a camera does not see the target at all although it has an image.
-bool isBlind(const CameraReport& report);
-/// Returns the text that replaces the target state in the view of a camera for which isBlind() is
-/// true: "◌ hidden here".
+bool isCameraBlind(const CameraReport& report);
+/// Returns the text that replaces the target state in the view of a camera for which
+/// isCameraBlind() is true: "◌ hidden here".
 QString cameraBlindText(const CameraReport& report);
 /// Returns the reasons of all cameras in one sentence: "left: hidden · right: …". Returns an empty
 /// string if all cameras confirm the target.

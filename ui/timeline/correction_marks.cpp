@@ -19,8 +19,8 @@ void paintCorrections(QPainter& painter, const TimelineModel& model, const Timel
   painter.setPen(QPen(palette.color(QPalette::Text), 1.2));
   painter.setBrush(palette.color(QPalette::Base));
   for (const PositionCorrection& correction : model.corrections) {
-    const double x = scale.x(static_cast<double>(correction.frame) + 0.5);
-    if (x < rows.ribbons.left() || x > rows.ribbons.right() ||
+    const double x = scale.xOf(static_cast<double>(correction.frame) + 0.5);
+    if (x < rows.ribbonsArea.left() || x > rows.ribbonsArea.right() ||
         correction.target >= model.targetNames.size() || correction.trackedFrom) {
       continue;
     }

@@ -17,7 +17,7 @@ public:
     frame_ = frame;
     requestedAt_.start();
   }
-  void onShown(qint64 frame) {
+  void onFrameShown(qint64 frame) {
     if (frame_ == frame) {
       frame_.reset();
     }

@@ -42,9 +42,9 @@ Timeline::Timeline(Selection& selection, Document& document, QWidget* parent)
     announceFrame();
     update();
   });
-  connect(&selection_, &Selection::rangeChanged, this, qOverload<>(&QWidget::update));
+  connect(&selection_, &Selection::selectedRangeChanged, this, qOverload<>(&QWidget::update));
   connect(&document_, &Document::changed, this, &Timeline::updateMarkers);
-  connect(&document_, &Document::replaced, this, &Timeline::updateMarkers);
+  connect(&document_, &Document::projectReplaced, this, &Timeline::updateMarkers);
   updateMarkers();
 }
 
@@ -56,7 +56,7 @@ void Timeline::setSnapshot(const TrackSnapshotPtr& shown) {
   const TrackSnapshot& snapshot = *shown;
   model_.history = snapshot.history;
   model_.rerun = snapshot.rerun;
-  model_.setSourceRate(snapshot.sourceFramesPerSecond);
+  model_.setSourceFrameRate(snapshot.sourceFramesPerSecond);
   model_.isLive = snapshot.frames != nullptr && !snapshot.frameCount.has_value();
   QStringList targets;
   for (const TargetSnapshot& target : snapshot.targets) {
@@ -75,14 +75,14 @@ void Timeline::setSnapshot(const TrackSnapshotPtr& shown) {
   const qint64 last =
       model_.isLive ? model_.history.lastFrame : snapshot.frameCount.value_or(1) - 1;
   scale_.setExtent(first, std::max(first, last));
-  requested_.onShown(snapshot.frame);
+  requested_.onFrameShown(snapshot.frame);
   const int least = TimelineRows::minimumHeightFor(
       static_cast<int>(targets.size()), dropoutCameraCount(), QFontMetricsF(font()).height());
   if (least != minimumHeight_) {
     minimumHeight_ = least;
     updateGeometry();
   }
-  if (!scale_.showsAll() && drag_ == Drag::None) {
+  if (!scale_.showsWholeRun() && drag_ == Drag::None) {
     scale_.reveal(std::max<qint64>(0, snapshot.frame));
   }
   update();
@@ -124,12 +124,12 @@ void Timeline::place() {
     widest = std::max(widest, metrics.horizontalAdvance(name) + 18.0);
   }
   gutter_ = std::min(kWidestGutter, widest + 20.0);
-  const QRectF axis = rows().axis;
+  const QRectF axis = rows().axisArea;
   scale_.setPixelRange(axis.left(), axis.width());
 }
 
 QPoint Timeline::positionOf(qint64 frame) const {
-  return QPointF(scale_.x(static_cast<double>(frame) + 0.5), rows().ribbonArea(0).center().y())
+  return QPointF(scale_.xOf(static_cast<double>(frame) + 0.5), rows().ribbonArea(0).center().y())
       .toPoint();
 }
 
@@ -169,7 +169,7 @@ void Timeline::zoomToRange() {
 }
 
 void Timeline::zoomOut() {
-  scale_.showAll();
+  scale_.showWholeRun();
   update();
 }
 
@@ -217,7 +217,7 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
     requestFrame(model_.markers[*marker].frame);
     return;
   }
-  const bool inAxis = event->position().y() < rows().axis.bottom();
+  const bool inAxis = event->position().y() < rows().axisArea.bottom();
   if (inAxis || event->modifiers().testFlag(Qt::ShiftModifier)) {
     drag_ = Drag::Range;
     anchor_ = frame;
@@ -270,7 +270,7 @@ void Timeline::mouseReleaseEvent(QMouseEvent* event) {
 void Timeline::mouseDoubleClickEvent(QMouseEvent* event) {
   if (const auto marker = markerAt(event->position())) {
     editName(model_.markers[*marker]);
-  } else if (event->position().y() < rows().axis.bottom()) {
+  } else if (event->position().y() < rows().axisArea.bottom()) {
     selection_.selectedRange() ? zoomToRange() : zoomOut();
   }
 }
@@ -280,7 +280,7 @@ void Timeline::wheelEvent(QWheelEvent* event) {
   const double sideways = event->angleDelta().x() / 120.0;
   if (sideways != 0.0 || event->modifiers().testFlag(Qt::ShiftModifier)) {
     const double by = sideways != 0.0 ? sideways : notches;
-    scale_.scroll(-0.1 * by * (scale_.end() - scale_.begin()));
+    scale_.scroll(-0.1 * by * (scale_.shownEnd() - scale_.shownBegin()));
   } else {
     scale_.zoom(std::pow(kZoomStep, notches), event->position().x());
   }
@@ -292,7 +292,7 @@ void Timeline::keyPressEvent(QKeyEvent* event) {
   const bool extend = event->modifiers().testFlag(Qt::ShiftModifier);
   const qint64 now = latestFrame();
   const auto second = std::max<qint64>(1, std::llround(model_.framesPerSecond));
-  const double middle = scale_.x(static_cast<double>(now) + 0.5);
+  const double middle = scale_.xOf(static_cast<double>(now) + 0.5);
   switch (event->key()) {
   case Qt::Key_Left:
     return requestFrame(now - 1, extend);
@@ -303,7 +303,7 @@ void Timeline::keyPressEvent(QKeyEvent* event) {
   case Qt::Key_PageDown:
     return requestFrame(now + second, extend);
   case Qt::Key_Home:
-    return requestFrame(scale_.first(), extend);
+    return requestFrame(scale_.firstFrame(), extend);
   case Qt::Key_End:
     return extend ? requestFrame(std::max<qint64>(0, model_.history.newestTrackedFrame), true)
                   : selection_.requestLiveFrame();
@@ -348,7 +348,7 @@ void Timeline::updateMarkers() {
 std::optional<std::size_t> Timeline::markerAt(const QPointF& point) const {
   const QFontMetricsF metrics(font());
   for (std::size_t k = model_.markers.size(); k-- > 0;) {
-    if (markerFlag(model_.markers[k], scale_, rows(), metrics).contains(point)) {
+    if (markerFlagArea(model_.markers[k], scale_, rows(), metrics).contains(point)) {
       return k;
     }
   }
@@ -356,12 +356,12 @@ std::optional<std::size_t> Timeline::markerAt(const QPointF& point) const {
 }
 
 void Timeline::stepToMarker(int direction) {
-  if (const auto marker = model_.nextMarker(latestFrame(), direction)) {
+  if (const auto marker = model_.nextMarkerFrame(latestFrame(), direction)) {
     requestFrame(*marker);
   }
 }
 
-bool Timeline::stepToTrouble(int direction) {
+bool Timeline::stepToProblem(int direction) {
   const int target = selection_.target();
   const auto frame =
       nextTrouble(model_.records, latestFrame(), direction,
@@ -390,7 +390,7 @@ bool Timeline::removeMarker() {
 }
 
 void Timeline::editName(const ProjectMarker& marker) {
-  markers_->editName(marker, markerFlag(marker, scale_, rows(), QFontMetricsF(font())));
+  markers_->editName(marker, markerFlagArea(marker, scale_, rows(), QFontMetricsF(font())));
 }
 
 } // namespace dewpoint::ui

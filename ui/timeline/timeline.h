@@ -44,14 +44,14 @@ public:
   void goToFrame(qint64 frame) { requestFrame(frame); }
   /// Returns the first and the last frame that can be shown.
   std::pair<qint64, qint64> reachableFrames() const {
-    return {model_.isLive ? model_.history.firstFrame : scale_.first(), scale_.last()};
+    return {model_.isLive ? model_.history.firstFrame : scale_.firstFrame(), scale_.lastFrame()};
   }
   /// Returns the frame requested last or, if no request is pending, the current frame.
   qint64 latestFrame() const;
   /// Shows the next (1) or previous (-1) frame in which the selected target (any target if none is
   /// selected) becomes ambiguous, searching or lost, or in which a live camera begins to have a
   /// problem. Returns false if there is no such frame.
-  bool stepToTrouble(int direction);
+  bool stepToProblem(int direction);
   /// Shows the frame of the next (1) or previous (-1) marker.
   void stepToMarker(int direction);
   /// Adds a marker at the current frame in an undoable step, and edits its name in place.

@@ -46,8 +46,8 @@ void openFrameField(const Workbench& bench, ViewDock* dock, Timeline* timeline, 
   field->open(timeline->latestFrame());
 }
 
-void stepToTrouble(const Workbench& bench, Timeline* timeline, int direction) {
-  if (!timeline->stepToTrouble(direction)) {
+void stepToProblem(const Workbench& bench, Timeline* timeline, int direction) {
+  if (!timeline->stepToProblem(direction)) {
     bench.messages.showNotice(
         direction > 0
             ? Timeline::tr("After this frame, there are no new problems with targets or cameras.")
@@ -62,9 +62,9 @@ void connectActions(const Workbench& bench, ViewDock* dock, Timeline* timeline) 
     openFrameField(bench, dock, timeline, field);
   });
   bench.onTriggered("actionPreviousTrouble", timeline,
-                    [bench, timeline] { stepToTrouble(bench, timeline, -1); });
+                    [bench, timeline] { stepToProblem(bench, timeline, -1); });
   bench.onTriggered("actionNextTrouble", timeline,
-                    [bench, timeline] { stepToTrouble(bench, timeline, 1); });
+                    [bench, timeline] { stepToProblem(bench, timeline, 1); });
   bench.onTriggered("actionPreviousFrame", timeline, [timeline] { timeline->step(-1); });
   bench.onTriggered("actionNow", timeline, [bench] { bench.selection.requestLiveFrame(); });
   bench.onTriggered("actionRerun", timeline, [bench] { bench.session.rerun(); });
@@ -82,9 +82,9 @@ void connectActions(const Workbench& bench, ViewDock* dock, Timeline* timeline) 
 /// Whoever changes something while looking back at live cameras is told what that changes; of a
 /// recording what is shown follows the change (ResultRefresher).
 void explainChange(const Workbench& bench, const ProjectChanges& changes) {
-  const bool again = changes.boxes && bench.document.methodFamily().retracksAfterEdit;
+  const bool again = changes.boxesChanged && bench.document.methodFamily().retracksAfterEdit;
   const bool isLive = bench.session.shownSnapshot() && !bench.session.shownSnapshot()->frameCount;
-  if (isLive && bench.selection.showsOtherFrame() && (changes.parameters || changes.targets) &&
+  if (isLive && bench.selection.isAwayFromLiveFrame() && (changes.parametersChanged || changes.targetsChanged) &&
       !again) {
     bench.messages.showNotice(
         Timeline::tr(
@@ -108,7 +108,7 @@ Timeline* installTimeline(const Workbench& bench) {
   bench.connectView(timeline);
   QObject::connect(&bench.session.resultRefresher(), &ResultRefresher::oldResultsChanged, timeline,
                    [timeline, results = &bench.session.resultRefresher()] {
-                     timeline->setOldResults(results->oldResults().frames);
+                     timeline->setOldResults(results->oldResults().frameRanges);
                    });
   QObject::connect(&bench.session, &SessionController::snapshotChanged, timeline,
                    [bench, timeline](const TrackSnapshotPtr& snapshot) {

@@ -38,7 +38,7 @@ void TimelineModel::append(const std::vector<FrameRecord>& more, bool restarted)
   }
 }
 
-void TimelineModel::setSourceRate(double rate) {
+void TimelineModel::setSourceFrameRate(double rate) {
   if (records.size() < 2 && rate > 0.0) {
     framesPerSecond = rate;
   }
@@ -95,11 +95,11 @@ bool TimelineModel::isCorrected(std::size_t target, qint64 frame) const {
 
 bool TimelineModel::hasOldResult(qint64 frame) const {
   return std::ranges::any_of(oldResults, [frame](const ResultRange& range) {
-    return range.first <= frame && frame <= range.last;
+    return range.firstFrame <= frame && frame <= range.lastFrame;
   });
 }
 
-std::optional<qint64> TimelineModel::nextMarker(qint64 from, int direction) const {
+std::optional<qint64> TimelineModel::nextMarkerFrame(qint64 from, int direction) const {
   std::optional<qint64> nearest;
   for (const ProjectMarker& marker : markers) {
     const bool ahead = direction > 0 ? marker.frame > from : marker.frame < from;

@@ -36,7 +36,7 @@ struct TimelineModel {
   double framesPerSecond = 30.0;
 
   /// Sets the frame rate of the source, which is used until there are two records.
-  void setSourceRate(double rate);
+  void setSourceFrameRate(double rate);
   /// Adds new log records. If a frame is repeated, the new record replaces the old one. If the run
   /// has `restarted`, all old records are removed first.
   void append(const std::vector<FrameRecord>& more, bool restarted);
@@ -57,7 +57,7 @@ struct TimelineModel {
   bool isCorrected(std::size_t target, qint64 frame) const;
   /// Returns the frame of the closest marker after (1) or before (-1) a frame, or nothing if there
   /// is none.
-  std::optional<qint64> nextMarker(qint64 from, int direction) const;
+  std::optional<qint64> nextMarkerFrame(qint64 from, int direction) const;
   /// Returns a text about a frame: "Frame 132, 4.400 s: ball tracking (0.99) · …".
   QString descriptionOf(qint64 frame) const;
 

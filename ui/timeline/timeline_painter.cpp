@@ -35,8 +35,8 @@ void paintDropouts(QPainter& painter, const TimelineModel& model, const Timeline
   for (std::size_t k = 0; k < model.records.size(); ++k) {
     const FrameRecord& record = model.records[k];
     if ((record.missingCameraBits >> camera & 1U) != 0) {
-      const double begin = scale.x(static_cast<double>(record.frame));
-      const double end = scale.x(static_cast<double>(record.frame) + 1.0);
+      const double begin = scale.xOf(static_cast<double>(record.frame));
+      const double end = scale.xOf(static_cast<double>(record.frame) + 1.0);
       if (end >= row.left() && begin <= row.right()) {
         painter.fillRect(QRectF(std::max(begin, row.left()), row.top(),
                                 std::max(1.5, std::min(end, row.right()) - begin), row.height()),
@@ -72,28 +72,29 @@ QString clock(double seconds, double step) {
 
 void paintAxis(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                const TimelineRows& rows, const QPalette& palette) {
-  const double origin = model.secondsOf(scale.first());
+  const double origin = model.secondsOf(scale.firstFrame());
   const double perSecond = scale.pixelsPerFrame() * model.framesPerSecond;
   const QFontMetricsF metrics(painter.font());
   const double step =
       roundStep(perSecond, metrics.horizontalAdvance(QStringLiteral("00:00.00")) + 24);
-  const double left = scale.x(static_cast<double>(scale.first()));
+  const double left = scale.xOf(static_cast<double>(scale.firstFrame()));
   QColor line = palette.color(QPalette::Mid);
   for (double k = std::ceil(origin / step);; ++k) {
     const double at = k * step; // no sum: errors would make 59.999 s of a minute
     const double x = left + (at - origin) * perSecond;
-    if (x > rows.axis.right() + 0.5) { // the end itself has its label
+    if (x > rows.axisArea.right() + 0.5) { // the end itself has its label
       break;
     }
-    if (x >= rows.axis.left() - 1.0) {
+    if (x >= rows.axisArea.left() - 1.0) {
       painter.setPen(line);
-      painter.drawLine(QPointF(x, rows.axis.bottom() - 5), QPointF(x, rows.axis.bottom()));
+      painter.drawLine(QPointF(x, rows.axisArea.bottom() - 5), QPointF(x, rows.axisArea.bottom()));
       painter.setPen(palette.color(QPalette::PlaceholderText));
       const QString text = clock(at, step);
       const double width = metrics.horizontalAdvance(text);
-      const bool fits = x + kLabelGap + width <= rows.axis.right() + 7.0;
+      const bool fits = x + kLabelGap + width <= rows.axisArea.right() + 7.0;
       painter.drawText(
-          QPointF(fits ? x + kLabelGap : x - kLabelGap - width, rows.axis.bottom() - 5.0), text);
+          QPointF(fits ? x + kLabelGap : x - kLabelGap - width, rows.axisArea.bottom() - 5.0),
+          text);
     }
   }
 }
@@ -103,13 +104,13 @@ void paintMarkers(QPainter& painter, const TimelineModel& model, const TimelineS
   const QFontMetricsF metrics(painter.font());
   const QColor color = palette.color(QPalette::Text);
   for (const ProjectMarker& marker : model.markers) {
-    const QRectF flag = markerFlag(marker, scale, rows, metrics);
-    if (flag.right() < rows.axis.left() || flag.left() > rows.axis.right()) {
+    const QRectF flag = markerFlagArea(marker, scale, rows, metrics);
+    if (flag.right() < rows.axisArea.left() || flag.left() > rows.axisArea.right()) {
       continue;
     }
     const double x = flag.left();
     painter.setPen(QPen(color, 1.2));
-    painter.drawLine(QPointF(x, flag.top()), QPointF(x, rows.cameras.bottom()));
+    painter.drawLine(QPointF(x, flag.top()), QPointF(x, rows.camerasArea.bottom()));
     QPainterPath path(flag.topLeft());
     path.lineTo(flag.right() - 5.0, flag.top());
     path.lineTo(flag.right(), flag.center().y());
@@ -126,40 +127,40 @@ void paintMarkers(QPainter& painter, const TimelineModel& model, const TimelineS
 
 void paintHead(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                const TimelineRows& rows, const Selection& selection, const QPalette& palette) {
-  const QRectF body = rows.ribbons.united(rows.cameras);
-  if (selection.showsOtherFrame() &&
+  const QRectF body = rows.ribbonsArea.united(rows.camerasArea);
+  if (selection.isAwayFromLiveFrame() &&
       model.history.newestTrackedFrame >= 0) { // where the run stands meanwhile
-    const double x = scale.x(static_cast<double>(model.history.newestTrackedFrame) + 0.5);
+    const double x = scale.xOf(static_cast<double>(model.history.newestTrackedFrame) + 0.5);
     painter.setPen(QPen(palette.color(QPalette::Text), 1.2, Qt::DashLine));
-    painter.drawLine(QPointF(x, rows.axis.bottom()), QPointF(x, body.bottom()));
+    painter.drawLine(QPointF(x, rows.axisArea.bottom()), QPointF(x, body.bottom()));
   }
   if (selection.currentFrame() < 0) {
     return;
   }
-  const double x = scale.x(static_cast<double>(selection.currentFrame()) + 0.5);
-  if (x < rows.axis.left() - 1.0 || x > rows.axis.right() + 1.0) {
+  const double x = scale.xOf(static_cast<double>(selection.currentFrame()) + 0.5);
+  if (x < rows.axisArea.left() - 1.0 || x > rows.axisArea.right() + 1.0) {
     return;
   }
   painter.setPen(QPen(palette.color(QPalette::Base), 4.0));
-  painter.drawLine(QPointF(x, rows.axis.bottom()), QPointF(x, body.bottom()));
+  painter.drawLine(QPointF(x, rows.axisArea.bottom()), QPointF(x, body.bottom()));
   const QColor color = palette.color(QPalette::Highlight);
   painter.setPen(QPen(color, 2.0));
-  painter.drawLine(QPointF(x, rows.axis.bottom() - 2.0), QPointF(x, body.bottom()));
+  painter.drawLine(QPointF(x, rows.axisArea.bottom() - 2.0), QPointF(x, body.bottom()));
   painter.setPen(Qt::NoPen);
   painter.setBrush(color);
-  const double y = rows.axis.bottom();
+  const double y = rows.axisArea.bottom();
   painter.drawPolygon(QPolygonF(
       {QPointF(x - kHeadReach, y - 8.0), QPointF(x + kHeadReach, y - 8.0), QPointF(x, y + 1.0)}));
 }
 
 void paintHovered(QPainter& painter, const TimelineScale& scale, const TimelineRows& rows,
                   qint64 frame, const QPalette& palette) {
-  const double x = scale.x(static_cast<double>(frame) + 0.5);
-  if (frame < 0 || x < rows.axis.left() || x > rows.axis.right()) {
+  const double x = scale.xOf(static_cast<double>(frame) + 0.5);
+  if (frame < 0 || x < rows.axisArea.left() || x > rows.axisArea.right()) {
     return;
   }
   // Dark on a bright rim: seen on the ribbons as well as beside them.
-  const QLineF line(x, rows.axis.top(), x, rows.cameras.bottom());
+  const QLineF line(x, rows.axisArea.top(), x, rows.camerasArea.bottom());
   painter.setPen(QPen(palette.color(QPalette::Base), 3.0));
   painter.drawLine(line);
   painter.setPen(QPen(palette.color(QPalette::WindowText), 1.0));
@@ -171,12 +172,13 @@ void paintSelectedRange(QPainter& painter, const TimelineScale& scale, const Tim
   if (!selection.selectedRange()) {
     return;
   }
-  const double begin = scale.x(static_cast<double>(selection.selectedRange()->first));
-  const double end = scale.x(static_cast<double>(selection.selectedRange()->last) + 1.0);
+  const double begin = scale.xOf(static_cast<double>(selection.selectedRange()->first));
+  const double end = scale.xOf(static_cast<double>(selection.selectedRange()->last) + 1.0);
   QColor color = palette.color(QPalette::Highlight);
   painter.setPen(QPen(color, 1.2));
   color.setAlphaF(0.22F);
-  const QRectF area(begin, rows.axis.top(), end - begin, rows.cameras.bottom() - rows.axis.top());
+  const QRectF area(begin, rows.axisArea.top(), end - begin,
+                    rows.camerasArea.bottom() - rows.axisArea.top());
   painter.fillRect(area, color);
   painter.drawLine(area.topLeft(), area.bottomLeft());
   painter.drawLine(area.topRight(), area.bottomRight());
@@ -185,14 +187,14 @@ void paintSelectedRange(QPainter& painter, const TimelineScale& scale, const Tim
 void paintNames(QPainter& painter, const TimelineModel& model, const TimelineRows& rows,
                 const QPalette& palette) {
   const QFontMetricsF metrics(painter.font());
-  const double room = rows.axis.left() - 14.0;
+  const double room = rows.axisArea.left() - 14.0;
   const auto write = [&](const QRectF& row, const QString& name, const QColor& color) {
     painter.setPen(color);
     painter.drawText(QRectF(8.0, row.center().y() - metrics.height() / 2.0, room, metrics.height()),
                      Qt::AlignLeft | Qt::AlignVCenter,
                      metrics.elidedText(name, Qt::ElideRight, room));
   };
-  const std::vector<QColor> colors = targetColors(model.colorSources, displayGroundOf(palette));
+  const std::vector<QColor> colors = targetColors(model.colorSources, displayBackgroundOf(palette));
   for (int k = 0; k < model.targetNames.size(); ++k) {
     const QRectF row = rows.ribbonArea(k);
     if (rows.ribbonHeight >= 0.8 * metrics.height()) { // else names would lie on one another
@@ -204,14 +206,14 @@ void paintNames(QPainter& painter, const TimelineModel& model, const TimelineRow
     }
   }
   if (rows.camerasShareRow) {
-    write(rows.cameras, QCoreApplication::translate("Timeline", "✕ no image"),
+    write(rows.camerasArea, QCoreApplication::translate("Timeline", "✕ no image"),
           palette.color(QPalette::PlaceholderText));
     return;
   }
   int row = 0;
   for (int k = 0; k < model.cameraNames.size(); ++k) {
     if (model.hasDropouts(static_cast<std::size_t>(k))) {
-      write(rows.cameraArea(row++),
+      write(rows.cameraRowArea(row++),
             QCoreApplication::translate("Timeline", "✕ %1").arg(model.cameraNames[k]),
             palette.color(QPalette::PlaceholderText));
     }
@@ -230,51 +232,53 @@ void paintFooter(QPainter& painter, const TimelineModel& model, const TimelineRo
           .arg(model.rerun->firstFrame + 1)
           .arg(model.rerun->lastFrame + 1);
   painter.setPen(palette.color(QPalette::PlaceholderText));
-  painter.drawText(rows.footer, Qt::AlignRight | Qt::AlignVCenter, text);
+  painter.drawText(rows.footerArea, Qt::AlignRight | Qt::AlignVCenter, text);
 }
 
 } // namespace
 
-TimelineRows::TimelineRows(const QSizeF& size, int targets, int cameraCount, double fontHeight,
+TimelineRows::TimelineRows(const QSizeF& size, int targetCount, int cameraCount, double fontHeight,
                            double gutter, bool hasFooter) {
   const double width = size.width() - gutter - 10.0;
   const double axisHeight = fontHeight + 8.0;
   const double footerHeight = hasFooter ? fontHeight + 4.0 : 0.0;
   const double body = std::max(20.0, size.height() - axisHeight - footerHeight - 2.0 * kGap);
-  const double readable = std::max(1, targets) * (fontHeight + kGap);
+  const double readable = std::max(1, targetCount) * (fontHeight + kGap);
   camerasShareRow = cameraCount > 1 && body - cameraCount * fontHeight < readable;
-  cameraHeight = camerasShareRow ? fontHeight / cameraCount : fontHeight;
-  const double forRibbons = std::max(body - cameraCount * cameraHeight, 0.5 * body);
-  ribbonHeight = std::clamp(forRibbons / std::max(1, targets), kGap + 2.0, 28.0);
-  axis = QRectF(gutter, 0.0, width, axisHeight);
-  ribbons = QRectF(gutter, axis.bottom() + kGap, width, std::max(1, targets) * ribbonHeight);
-  cameras = QRectF(gutter, ribbons.bottom(), width, cameraCount * cameraHeight);
-  footer = QRectF(gutter, size.height() - footerHeight, width, footerHeight);
+  cameraRowHeight = camerasShareRow ? fontHeight / cameraCount : fontHeight;
+  const double forRibbons = std::max(body - cameraCount * cameraRowHeight, 0.5 * body);
+  ribbonHeight = std::clamp(forRibbons / std::max(1, targetCount), kGap + 2.0, 28.0);
+  axisArea = QRectF(gutter, 0.0, width, axisHeight);
+  ribbonsArea =
+      QRectF(gutter, axisArea.bottom() + kGap, width, std::max(1, targetCount) * ribbonHeight);
+  camerasArea = QRectF(gutter, ribbonsArea.bottom(), width, cameraCount * cameraRowHeight);
+  footerArea = QRectF(gutter, size.height() - footerHeight, width, footerHeight);
 }
 
-int TimelineRows::minimumHeightFor(int targets, int cameras, double fontHeight) {
-  const int ribbons = std::clamp(targets, 1, kMostRowsWanted);
+int TimelineRows::minimumHeightFor(int targetCount, int cameraCount, double fontHeight) {
+  const int ribbons = std::clamp(targetCount, 1, kMostRowsWanted);
   const double frame = 2.0 * fontHeight + 12.0 + 2.0 * kGap; // axis and footer
   return static_cast<int>(
-      std::ceil(frame + ribbons * (fontHeight + kGap) + (cameras > 0 ? fontHeight : 0.0)));
+      std::ceil(frame + ribbons * (fontHeight + kGap) + (cameraCount > 0 ? fontHeight : 0.0)));
 }
 
 QRectF TimelineRows::ribbonArea(int target) const {
-  return {ribbons.left(), ribbons.top() + target * ribbonHeight, ribbons.width(),
+  return {ribbonsArea.left(), ribbonsArea.top() + target * ribbonHeight, ribbonsArea.width(),
           ribbonHeight - kGap};
 }
 
-QRectF TimelineRows::cameraArea(int row) const {
-  const double height = camerasShareRow ? std::max(1.0, cameraHeight - 1.0) : 0.5 * cameraHeight;
-  const double top = cameras.top() + (row + 0.5) * cameraHeight - 0.5 * height;
-  return {cameras.left(), top, cameras.width(), height};
+QRectF TimelineRows::cameraRowArea(int row) const {
+  const double height =
+      camerasShareRow ? std::max(1.0, cameraRowHeight - 1.0) : 0.5 * cameraRowHeight;
+  const double top = camerasArea.top() + (row + 0.5) * cameraRowHeight - 0.5 * height;
+  return {camerasArea.left(), top, camerasArea.width(), height};
 }
 
-QRectF markerFlag(const ProjectMarker& marker, const TimelineScale& scale, const TimelineRows& rows,
-                  const QFontMetricsF& metrics) {
-  const double x = scale.x(static_cast<double>(marker.frame) + 0.5);
+QRectF markerFlagArea(const ProjectMarker& marker, const TimelineScale& scale,
+                      const TimelineRows& rows, const QFontMetricsF& metrics) {
+  const double x = scale.xOf(static_cast<double>(marker.frame) + 0.5);
   const double width = metrics.horizontalAdvance(QString::fromStdString(marker.name)) + 14.0;
-  return {x, rows.axis.top() + 1.0, width, metrics.height() + 1.0};
+  return {x, rows.axisArea.top() + 1.0, width, metrics.height() + 1.0};
 }
 
 void paintTimeline(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
@@ -283,19 +287,19 @@ void paintTimeline(QPainter& painter, const TimelineModel& model, const Timeline
   paintNames(painter, model, rows, palette);
   paintFooter(painter, model, rows, palette);
   painter.save();
-  painter.setClipRect(rows.axis.united(rows.cameras).adjusted(-7, 0, 7, 2));
+  painter.setClipRect(rows.axisArea.united(rows.camerasArea).adjusted(-7, 0, 7, 2));
   paintAxis(painter, model, scale, rows, palette);
   for (int k = 0; k < model.targetNames.size(); ++k) {
     paintRibbon(painter, model, scale, rows.ribbonArea(k), static_cast<std::size_t>(k), palette);
   }
   if (model.targetNames.isEmpty() || model.records.empty()) {
-    paintNothingTracked(painter, rows.ribbons, palette);
+    paintNothingTrackedText(painter, rows.ribbonsArea, palette);
   }
   int row = 0;
   for (int k = 0; k < model.cameraNames.size(); ++k) {
     const auto camera = static_cast<std::size_t>(k);
     if (model.hasDropouts(camera)) {
-      paintDropouts(painter, model, scale, rows.cameraArea(row++), camera, palette);
+      paintDropouts(painter, model, scale, rows.cameraRowArea(row++), camera, palette);
     }
   }
   paintForgottenFrames(painter, model, scale, rows, palette);

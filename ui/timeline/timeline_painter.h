@@ -18,22 +18,22 @@ struct TimelineRows {
   /// Computes the positions. `hasFooter` is true if there is a line of text below the rows.
   /// `gutter` is the width on the left for the names, and `fontHeight` the height of a line of
   /// text, in pixels.
-  explicit TimelineRows(const QSizeF& size, int targets, int cameras, double fontHeight,
+  explicit TimelineRows(const QSizeF& size, int targetCount, int cameraCount, double fontHeight,
                         double gutter, bool hasFooter);
   /// Returns the height at which the rows of a timeline are readable. The height does not increase
   /// further beyond a few targets.
-  static int minimumHeightFor(int targets, int cameras, double fontHeight);
+  static int minimumHeightFor(int targetCount, int cameraCount, double fontHeight);
 
-  QRectF axis;    ///< time and markers, at the top; a drag here selects a range
-  QRectF ribbons; ///< rows of the targets, one below the other
+  QRectF axisArea;    ///< time and markers, at the top; a drag here selects a range
+  QRectF ribbonsArea; ///< rows of the targets, one below the other
   /// Missing images: one thin row per affected camera, or a single row if there is not enough room.
-  QRectF cameras;
-  QRectF footer; ///< progress while frames are tracked again; otherwise, its height is 0
+  QRectF camerasArea;
+  QRectF footerArea; ///< progress while frames are tracked again; otherwise, its height is 0
   double ribbonHeight = 0.0;
-  double cameraHeight = 0.0;
+  double cameraRowHeight = 0.0;
   bool camerasShareRow = false;
   QRectF ribbonArea(int target) const;
-  QRectF cameraArea(int row) const;
+  QRectF cameraRowArea(int row) const;
 };
 
 /// Draws a timeline: the ribbons (bands that show the states of the targets), missing images,
@@ -46,7 +46,7 @@ void paintTimeline(QPainter& painter, const TimelineModel& model, const Timeline
                    const QPalette& palette);
 
 /// Returns the area of the flag that shows a marker, in widget coordinates.
-QRectF markerFlag(const ProjectMarker& marker, const TimelineScale& scale, const TimelineRows& rows,
-                  const QFontMetricsF& metrics);
+QRectF markerFlagArea(const ProjectMarker& marker, const TimelineScale& scale,
+                      const TimelineRows& rows, const QFontMetricsF& metrics);
 
 } // namespace dewpoint::ui

@@ -49,14 +49,14 @@ std::vector<Stretch> stretchesOf(const TimelineModel& model, const TimelineScale
   const auto& records = model.records;
   for (std::size_t k = 0; k < records.size(); ++k) {
     const qint64 next = model.endFrameOf(k);
-    if (static_cast<double>(next) < scale.begin() ||
-        static_cast<double>(records[k].frame) > scale.end() ||
+    if (static_cast<double>(next) < scale.shownBegin() ||
+        static_cast<double>(records[k].frame) > scale.shownEnd() ||
         target >= records[k].targets.size()) {
       continue;
     }
     const FrameRecord::Entry& entry = records[k].targets[target];
-    const Stretch now{scale.x(static_cast<double>(records[k].frame)),
-                      scale.x(static_cast<double>(next)), entry.status,
+    const Stretch now{scale.xOf(static_cast<double>(records[k].frame)),
+                      scale.xOf(static_cast<double>(next)), entry.status,
                       static_cast<double>(entry.existenceProbability)};
     Stretch* last = stretches.empty() ? nullptr : &stretches.back();
     const bool same = last != nullptr && last->status == now.status &&
@@ -120,7 +120,7 @@ void paintRibbon(QPainter& painter, const TimelineModel& model, const TimelineSc
   }
 }
 
-void paintNothingTracked(QPainter& painter, const QRectF& rows, const QPalette& palette) {
+void paintNothingTrackedText(QPainter& painter, const QRectF& rows, const QPalette& palette) {
   painter.setPen(palette.color(QPalette::PlaceholderText));
   painter.drawText(rows, Qt::AlignCenter,
                    QCoreApplication::translate(

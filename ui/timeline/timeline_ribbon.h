@@ -19,6 +19,6 @@ void paintRibbon(QPainter& painter, const TimelineModel& model, const TimelineSc
 
 /// Draws a text in place of the ribbons (the bands that show the target states) while nothing is
 /// tracked. The text explains what will appear there.
-void paintNothingTracked(QPainter& painter, const QRectF& rows, const QPalette& palette);
+void paintNothingTrackedText(QPainter& painter, const QRectF& rows, const QPalette& palette);
 
 } // namespace dewpoint::ui

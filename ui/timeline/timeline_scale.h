@@ -10,41 +10,41 @@
 
 namespace dewpoint::ui {
 
-/// Maps frames to positions along a timeline. Frame k covers x(k) to x(k + 1), in widget units.
+/// Maps frames to positions along a timeline. Frame k covers xOf(k) to xOf(k + 1), in widget units.
 class TimelineScale {
 public:
   /// Sets the first and last frame, both inclusive.
   void setExtent(qint64 first, qint64 last) {
-    const bool whole = showsAll();
+    const bool whole = showsWholeRun();
     first_ = first;
     last_ = std::max(first, last);
-    whole ? showAll() : keepInside();
+    whole ? showWholeRun() : clampToExtent();
   }
   void setPixelRange(double left, double width) {
     left_ = left;
     width_ = std::max(1.0, width);
   }
-  qint64 first() const { return first_; }
-  qint64 last() const { return last_; }
-  double begin() const { return begin_; }
-  double end() const { return begin_ + length_; }
+  qint64 firstFrame() const { return first_; }
+  qint64 lastFrame() const { return last_; }
+  double shownBegin() const { return begin_; }
+  double shownEnd() const { return begin_ + length_; }
   double pixelsPerFrame() const { return width_ / length_; }
 
-  double x(double frame) const { return left_ + (frame - begin_) * pixelsPerFrame(); }
+  double xOf(double frame) const { return left_ + (frame - begin_) * pixelsPerFrame(); }
   qint64 frameAt(double x) const {
     const double frame = std::floor(begin_ + (x - left_) / pixelsPerFrame());
     return std::clamp(static_cast<qint64>(frame), first_, last_);
   }
 
-  bool showsAll() const { return length_ >= static_cast<double>(last_ - first_ + 1); }
-  void showAll() {
+  bool showsWholeRun() const { return length_ >= static_cast<double>(last_ - first_ + 1); }
+  void showWholeRun() {
     begin_ = static_cast<double>(first_);
     length_ = static_cast<double>(last_ - first_ + 1);
   }
   void showFrames(qint64 first, qint64 last) {
     begin_ = static_cast<double>(first);
     length_ = static_cast<double>(last - first + 1);
-    keepInside();
+    clampToExtent();
   }
   /// Zooms by `factor` (above 1 zooms in). The frame at the position `x` (widget units) stays at
   /// this position.
@@ -52,13 +52,13 @@ public:
     const double frame = begin_ + (x - left_) / pixelsPerFrame();
     const double share = (x - left_) / width_;
     length_ /= factor;
-    keepInside();
+    clampToExtent();
     begin_ = frame - share * length_;
-    keepInside();
+    clampToExtent();
   }
   void scroll(double frames) {
     begin_ += frames;
-    keepInside();
+    clampToExtent();
   }
   /// Scrolls just far enough to show a frame.
   void reveal(qint64 frame) {
@@ -66,16 +66,16 @@ public:
     const auto at = static_cast<double>(frame);
     if (at < begin_ + margin) {
       begin_ = at - margin;
-    } else if (at + 1.0 > end() - margin) {
+    } else if (at + 1.0 > shownEnd() - margin) {
       begin_ = at + 1.0 + margin - length_;
     }
-    keepInside();
+    clampToExtent();
   }
 
 private:
   static constexpr double kMinFrames = 10.0; ///< minimum number of frames shown
 
-  void keepInside() {
+  void clampToExtent() {
     const auto all = static_cast<double>(last_ - first_ + 1);
     length_ = std::clamp(length_, std::min(kMinFrames, all), all);
     begin_ =

@@ -37,11 +37,11 @@ void hatch(QPainter& painter, const QRectF& area) {
 
 void paintForgottenFrames(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                           const TimelineRows& rows, const QPalette& palette) {
-  if (model.history.firstFrame <= scale.first()) {
+  if (model.history.firstFrame <= scale.firstFrame()) {
     return;
   }
-  QRectF gone = rows.ribbons.united(rows.cameras);
-  gone.setRight(std::clamp(scale.x(static_cast<double>(model.history.firstFrame)), gone.left(),
+  QRectF gone = rows.ribbonsArea.united(rows.camerasArea);
+  gone.setRight(std::clamp(scale.xOf(static_cast<double>(model.history.firstFrame)), gone.left(),
                            gone.right()));
   painter.fillRect(gone, withAlpha(palette.color(QPalette::Window), kForgottenVeil));
 }
@@ -50,9 +50,9 @@ void paintOldResults(QPainter& painter, const TimelineModel& model, const Timeli
                      const TimelineRows& rows, const QPalette& palette) {
   painter.setPen(QPen(withAlpha(palette.color(QPalette::Text), kHatching), 1.0));
   for (const ResultRange& range : model.oldResults) {
-    const double begin = std::max(rows.ribbons.left(), scale.x(static_cast<double>(range.first)));
+    const double begin = std::max(rows.ribbonsArea.left(), scale.xOf(static_cast<double>(range.firstFrame)));
     const double end =
-        std::min(rows.ribbons.right(), scale.x(static_cast<double>(range.last) + 1.0));
+        std::min(rows.ribbonsArea.right(), scale.xOf(static_cast<double>(range.lastFrame) + 1.0));
     for (int k = 0; k < model.targetNames.size() && begin < end; ++k) {
       const QRectF ribbon = rows.ribbonArea(k);
       const QRectF area(begin, ribbon.top(), end - begin, ribbon.height());

@@ -76,9 +76,9 @@ QVariant BoxModel::data(const QModelIndex& index, int role) const {
   case Similarity:
     return tableNumberText(estimate.similarity, 2);
   case Spread:
-    return tableNumberText(estimate.spread, 1);
+    return tableNumberText(estimate.spreadPixels, 1);
   case Seen:
-    return estimate.visible ? tr("● tracking") : tr("◌ hidden");
+    return estimate.isVisible ? tr("● tracking") : tr("◌ hidden");
   default:
     return {};
   }

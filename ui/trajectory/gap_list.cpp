@@ -67,7 +67,7 @@ void GapList::fill() {
     const TrajectoryGap& gap = gaps_[static_cast<std::size_t>(row)];
     const QStringList texts{tr("frame %1").arg(gap.firstFrame + 1),
                             tr("frame %1").arg(gap.lastFrame + 1),
-                            secondsText(gap.seconds(), 2) + QStringLiteral(" · ") +
+                            secondsText(gap.durationSeconds(), 2) + QStringLiteral(" · ") +
                                 tr("%n frames", nullptr, static_cast<int>(gap.frameCount())),
                             QString::fromStdString(gap.target)};
     for (int column = 0; column < columnCount(); ++column) {

@@ -35,7 +35,7 @@ void MotionSeries::update(const std::vector<MotionLog::Row>& rows, std::size_t f
       breakLineBefore(sample);
       const std::array<float, kColumnCount> values{
           static_cast<float>(rows[i].speed),
-          sample.valid ? static_cast<float>(sample.position.z()) : unknown};
+          sample.isValid ? static_cast<float>(sample.position.z()) : unknown};
       series_.append({sample.frame, sample.frame, sample.time}, values);
     }
   }
@@ -47,10 +47,10 @@ void MotionSeries::breakLineBefore(const TrajectorySample& sample) {
     return;
   }
   const PlotSeries::Row last = series_.row(series_.size() - 1);
-  if (isInterrupted(last.frame, sample.frame)) {
+  if (isTrackInterrupted(last.frame, sample.frame)) {
     std::array<float, kColumnCount> unknown{};
     unknown.fill(std::numeric_limits<float>::quiet_NaN());
-    series_.append({last.iteration + 1, last.frame + 1, last.time}, unknown);
+    series_.append({last.iteration + 1, last.frame + 1, last.seconds}, unknown);
   }
 }
 
@@ -67,7 +67,7 @@ std::vector<std::vector<Eigen::Vector3d>> pathSegments(const std::vector<MotionL
     if (sample.target != target) {
       continue;
     }
-    if (!sample.valid || !sample.position.allFinite()) {
+    if (!sample.isValid || !sample.position.allFinite()) {
       joined = false;
       continue;
     }

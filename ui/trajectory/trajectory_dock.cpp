@@ -21,7 +21,7 @@ TrajectoryPanel* installTrajectory(const Workbench& bench, BirdsEyeView& birdsEy
                         .title = [] { return TrajectoryPanel::tr("Trajectory"); },
                         .content = panel,
                         .area = DockArea::Plots,
-                        .rank = 1});
+                        .orderInArea = 1});
   const SessionController& run = bench.session;
   QObject::connect(&run, &SessionController::runStarted, panel, [panel, &run] {
     const Session* session = run.session();
@@ -38,12 +38,12 @@ TrajectoryPanel* installTrajectory(const Workbench& bench, BirdsEyeView& birdsEy
   });
   bench.connectView(panel);
   QObject::connect(&run, &SessionController::iterationsLogged, panel, &TrajectoryPanel::refresh);
-  QObject::connect(&bench.document, &Document::replaced, &panel->plots(), &PlotStack::showAll);
-  QObject::connect(&run, &SessionController::restarting, &panel->plots(), &PlotStack::showAll);
+  QObject::connect(&bench.document, &Document::projectReplaced, &panel->plots(), &PlotStack::showWholeRun);
+  QObject::connect(&run, &SessionController::runAboutToRestart, &panel->plots(), &PlotStack::showWholeRun);
   QObject::connect(panel, &TrajectoryPanel::noticeRequested, &bench.messages,
                    &MessageBar::showNotice);
   QObject::connect(panel, &TrajectoryPanel::highlightChanged, &birdsEye, &BirdsEyeView::highlight);
-  QObject::connect(&birdsEye, &BirdsEyeView::pathClicked, panel, &TrajectoryPanel::choosePosition);
+  QObject::connect(&birdsEye, &BirdsEyeView::tailClicked, panel, &TrajectoryPanel::choosePosition);
   return panel;
 }
 

@@ -88,10 +88,10 @@ QVariant TrajectoryModel::data(const QModelIndex& index, int role) const {
   case Existence:
     return tableNumberText(sample.existenceProbability, 2);
   case Held:
-    return sample.corrected   ? tr("◆ corrected")
-           : sample.ambiguous ? tr("◇ ambiguous")
-           : sample.valid     ? tr("● tracking")
-                              : tr("○ not tracked");
+    return sample.isCorrected   ? tr("◆ corrected")
+           : sample.isAmbiguous ? tr("◇ ambiguous")
+           : sample.isValid     ? tr("● tracking")
+                                : tr("○ not tracked");
   default:
     return {};
   }

@@ -130,7 +130,7 @@ void TrajectoryPanel::connectViews() {
   connect(gaps_, &GapList::gapChosen, this, [this](qint64 first, qint64 last) {
     selection_.selectRange(SelectedRange{first, last});
   });
-  connect(&selection_, &Selection::rangeChanged, this, &TrajectoryPanel::showSelectedRange);
+  connect(&selection_, &Selection::selectedRangeChanged, this, &TrajectoryPanel::showSelectedRange);
   connect(&selection_, &Selection::currentFrameChanged, this, &TrajectoryPanel::showCurrentFrame);
   connect(&selection_, &Selection::targetSelected, this, [this](int target) {
     const auto chosen = static_cast<std::size_t>(std::max(0, target));
@@ -156,7 +156,7 @@ void TrajectoryPanel::showMenu(const QPoint& place, int row) {
   QMenu menu(this);
   menu.addAction(actions_.action("actionTrajectoryCopy"));
   menu.addAction(actions_.action("actionExportTrajectory"));
-  if (row >= 0 && model_->log().rows()[static_cast<std::size_t>(row)].sample.corrected) {
+  if (row >= 0 && model_->log().rows()[static_cast<std::size_t>(row)].sample.isCorrected) {
     const TrajectorySample& sample = model_->log().rows()[static_cast<std::size_t>(row)].sample;
     const auto target = std::ranges::find(names_, sample.target) - names_.begin();
     connect(menu.addAction(tr("Remove correction")), &QAction::triggered, this,

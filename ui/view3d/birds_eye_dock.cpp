@@ -22,7 +22,7 @@ void showForMethod(const Workbench& bench, ViewDock* dock) {
     return;
   }
   dock->setVisible(hasBirdsEyeView && !dock->isHiddenByUser());
-  if (bench.document.project().layout.empty()) { // else it is as the person wanted it
+  if (bench.document.project().windowLayout.empty()) { // else it is as the person wanted it
     bench.docks.distributeDockSizesSoon();
   }
 }
@@ -37,7 +37,8 @@ BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
                             .content = view,
                             .area = DockArea::Scene});
   bench.connectView(view);
-  QObject::connect(&bench.document, &Document::replaced, view, &BirdsEyeView::resetForNewProject);
+  QObject::connect(&bench.document, &Document::projectReplaced, view,
+                   &BirdsEyeView::resetForNewProject);
   QObject::connect(&bench.selection, &Selection::targetSelected, view,
                    &BirdsEyeView::setChosenTarget);
   bench.onToggled("actionShowBest", view,
@@ -50,7 +51,7 @@ BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
   bench.onTriggered("actionLookFromAbove", view, [view] { view->lookFromAbove(); });
   bench.onTriggered("actionLookFromFront", view, [view] { view->lookFromFront(); });
   bench.onTriggered("actionLookFromSide", view, [view] { view->lookFromSide(); });
-  bench.onTriggered("actionLookFree", view, [view] { view->lookFreely(); });
+  bench.onTriggered("actionLookFree", view, [view] { view->lookInPerspective(); });
   bench.onTriggered("actionFitScene", view, [view] { view->resetView(); });
   const auto update = [bench, dock] { showForMethod(bench, dock); };
   QObject::connect(&bench.docks, &DockManager::layoutChanged, dock, update);

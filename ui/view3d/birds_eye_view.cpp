@@ -48,7 +48,7 @@ BirdsEyeView::BirdsEyeView(QWidget* parent)
     inset_.setSnapshot(snapshot_);
   });
   connect(picture_.get(), &ScenePicture::unavailable, this, [this] { buttons_->setShown(false); });
-  buttons_->setCurrent(scene_.view());
+  buttons_->setCurrentView(scene_.view());
   connect(buttons_, &ViewButtons::viewChosen, this, &BirdsEyeView::setView);
   connect(buttons_, &ViewButtons::fitRequested, this, &BirdsEyeView::resetView);
   connect(handles_, &CameraHandles::cameraChosen, this, &BirdsEyeView::cameraChosen);
@@ -69,8 +69,8 @@ void BirdsEyeView::retranslateUi() {
   buttons_->retranslateUi();
 }
 
-void BirdsEyeView::prepare() {
-  picture_->prepare();
+void BirdsEyeView::prepareFirstImage() {
+  picture_->prepareFirstImage();
 }
 
 void BirdsEyeView::setSnapshot(const TrackSnapshotPtr& snapshot) {
@@ -80,11 +80,11 @@ void BirdsEyeView::setSnapshot(const TrackSnapshotPtr& snapshot) {
   requestRendering();
 }
 
-void BirdsEyeView::copyLook(const BirdsEyeView& other) {
+void BirdsEyeView::copyAppearance(const BirdsEyeView& other) {
   scene_.copyView(other.scene_, static_cast<double>(width()) / std::max(1, height()));
   map_.setMap(other.map_.sharedMap(), other.map_.options());
   chosenTarget_ = other.chosenTarget_;
-  buttons_->setCurrent(scene_.view());
+  buttons_->setCurrentView(scene_.view());
   sceneStale_ = true;
   requestRendering();
 }
@@ -107,7 +107,7 @@ QSize BirdsEyeView::minimumSizeHint() const {
 
 void BirdsEyeView::setView(Scene3d::View view) {
   scene_.setView(view);
-  buttons_->setCurrent(view);
+  buttons_->setCurrentView(view);
   requestRendering();
   Q_EMIT viewChanged(view);
 }
@@ -123,7 +123,7 @@ void BirdsEyeView::highlight(const std::vector<std::vector<Eigen::Vector3d>>& st
 }
 
 void BirdsEyeView::requestRendering() {
-  picture_->request();
+  picture_->requestRendering();
 }
 
 bool BirdsEyeView::isDrawn() const {
@@ -156,7 +156,7 @@ void BirdsEyeView::paintOver(QPainter& painter) const {
 }
 
 void BirdsEyeView::paintEvent(QPaintEvent*) {
-  if (hasImage() && !picture_->fitsView()) {
+  if (hasImage() && !picture_->hasSizeOfView()) {
     picture_->render();
   }
   QPainter painter(this);
@@ -209,7 +209,7 @@ void BirdsEyeView::applyTheme() {
 void BirdsEyeView::sendPointer(int what, QPointF position, Qt::KeyboardModifiers modifiers) {
   // The flat views stay flat: there, dragging moves instead of turning.
   const bool shift = scene_.view() != Scene3d::View::Free || modifiers.testFlag(Qt::ShiftModifier);
-  picture_->movePointer(static_cast<PointerEvent>(what), position, shift);
+  picture_->passPointerEvent(static_cast<PointerEvent>(what), position, shift);
 }
 
 void BirdsEyeView::mousePressEvent(QMouseEvent* event) {
@@ -228,7 +228,7 @@ void BirdsEyeView::mouseReleaseEvent(QMouseEvent* event) {
                        : event->button() == Qt::MiddleButton ? PointerEvent::MiddleRelease
                                                              : PointerEvent::RightRelease;
   if (event->button() == Qt::LeftButton && handles_->isDragging()) {
-    handles_->drop();
+    handles_->endDrag();
     return;
   }
   sendPointer(static_cast<int>(release), event->position(), event->modifiers());
@@ -253,7 +253,7 @@ void BirdsEyeView::clickTail(QPointF position, bool extend) {
                                          ViewProjection(*this, scene_).toRenderedImage(position),
                                          kTailReachPx * devicePixelRatioF());
   if (found) {
-    Q_EMIT pathClicked(found->target, found->position, extend);
+    Q_EMIT tailClicked(found->target, found->position, extend);
   }
 }
 
@@ -332,7 +332,7 @@ void BirdsEyeView::setChosenTarget(int target) {
   requestRendering();
 }
 
-void BirdsEyeView::setPlacingPeople(bool placing, double floor) {
+void BirdsEyeView::setPersonPlacingMode(bool placing, double floor) {
   placing_ = placing;
   floor_ = floor;
   if (placing && (scene_.view() == Scene3d::View::Front || scene_.view() == Scene3d::View::Side)) {

@@ -37,13 +37,13 @@ public:
 
   /// Creates the OpenGL context and renders once while hidden, so that the first image appears
   /// without delay.
-  void prepare();
+  void prepareFirstImage();
 
   /// Sets the snapshot to draw in the next rendering; null clears the scene. This call is fast,
   /// even while the view is hidden.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Shows the whole scene of another project in perspective, regardless of the previous view.
-  void resetForNewProject() { lookFreely(); }
+  void resetForNewProject() { lookInPerspective(); }
   /// Highlights part of a trajectory, given as lists of positions (meters). An empty list removes
   /// the highlight.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
@@ -93,12 +93,12 @@ public:
   }
   /// Sets the placing mode, in which a click on the floor emits `floorClicked()`. `floor` is the
   /// floor height, world z in meters.
-  void setPlacingPeople(bool placing, double floor = 0.0);
+  void setPersonPlacingMode(bool placing, double floor = 0.0);
 
   /// Copies the appearance of another view, to draw the same scene elsewhere: the layers, the map,
   /// the selected target and the point of view (`Scene3d::copyView()`), but not the snapshot, the
   /// highlights or the planned cameras. Resize this view before the call.
-  void copyLook(const BirdsEyeView& other);
+  void copyAppearance(const BirdsEyeView& other);
   Scene3d::View currentView() const;
   /// Returns the current image with its legend but without the buttons, in device pixels; null
   /// without OpenGL.
@@ -119,7 +119,7 @@ public Q_SLOTS:
   void lookFromAbove() { setView(Scene3d::View::Above); }
   void lookFromFront() { setView(Scene3d::View::Front); }
   void lookFromSide() { setView(Scene3d::View::Side); }
-  void lookFreely() { setView(Scene3d::View::Free); }
+  void lookInPerspective() { setView(Scene3d::View::Free); }
   /// Fits the current view to the whole scene.
   void resetView();
 
@@ -127,7 +127,7 @@ Q_SIGNALS:
   void viewChanged(dewpoint::ui::Scene3d::View view);
   /// Emitted after a click on a target's tail (its drawn recent path), with the closest position in
   /// the tail (meters). `extend`: Shift was held down.
-  void pathClicked(int target, const Eigen::Vector3d& position, bool extend);
+  void tailClicked(int target, const Eigen::Vector3d& position, bool extend);
   /// Emitted after a click on the floor in placing mode, with world x and y in meters.
   void floorClicked(const Eigen::Vector2d& position);
   /// Emitted after a click on a person, with the person's index among the targets.

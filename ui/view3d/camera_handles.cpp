@@ -54,7 +54,7 @@ bool CameraHandles::grab(QPointF position) {
     }
   }
   if (drag_) {
-    scene_.holdView(); // the picture must not move under the hand
+    scene_.keepCurrentView(); // the picture must not move under the hand
     Q_EMIT cameraChosen(drag_->camera);
     view_.update();
   }
@@ -69,11 +69,11 @@ void CameraHandles::drag(QPointF position) {
   if (!there.allFinite()) {
     return;
   }
-  drag_->isTarget ? Q_EMIT cameraAimed(drag_->camera, there)
-                  : Q_EMIT cameraDragged(drag_->camera, there);
+  drag_->isAimHandle ? Q_EMIT cameraAimed(drag_->camera, there)
+                     : Q_EMIT cameraDragged(drag_->camera, there);
 }
 
-void CameraHandles::drop() {
+void CameraHandles::endDrag() {
   drag_.reset();
   Q_EMIT cameraDropped();
   view_.update();

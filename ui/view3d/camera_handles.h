@@ -36,7 +36,7 @@ public:
   bool grab(QPointF position);
   bool isDragging() const { return drag_.has_value(); }
   void drag(QPointF position);
-  void drop();
+  void endDrag();
   void paint(QPainter& painter) const;
 
 Q_SIGNALS:
@@ -53,7 +53,7 @@ Q_SIGNALS:
 private:
   struct Drag {
     int camera;
-    bool isTarget;
+    bool isAimHandle;
     Eigen::Vector3d startPoint;
     QPointF startPosition;
   };

@@ -48,10 +48,10 @@ void paintParticles(QPainter& painter, const CloudCloseup& closeup, const QColor
 
 void paintOutline(QPainter& painter, const ImageEllipse& outline, const QColor& color) {
   painter.save();
-  painter.rotate(outline.angle * 180.0 / std::numbers::pi);
+  painter.rotate(outline.angleRadians * 180.0 / std::numbers::pi);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(color, 1.2));
-  painter.drawEllipse(QPointF(), outline.semiMajor, outline.semiMinor);
+  painter.drawEllipse(QPointF(), outline.semiMajorAxis, outline.semiMinorAxis);
   painter.restore();
 }
 
@@ -105,7 +105,7 @@ bool SceneInset::fitsInView(const QWidget& view) {
   return view.width() >= kLeastWidth && view.height() >= kLeastHeight;
 }
 
-QRectF SceneInset::area(const QWidget& view) {
+QRectF SceneInset::usualArea(const QWidget& view) {
   return {view.width() - kSpacing - kSidePx, view.height() - kSpacing - kSidePx, kSidePx, kSidePx};
 }
 
@@ -129,7 +129,7 @@ QRectF SceneInset::shownArea(const QWidget& view, int chosen) const {
   if (targetToEnlarge(view, chosen) < 0) {
     return {};
   }
-  const QRectF below = area(view);
+  const QRectF below = usualArea(view);
   const QRectF above = below.translated(0.0, kSpacing - below.top());
   const int covered = coveredCount(view, below);
   return covered > 0 && coveredCount(view, above) < covered ? above : below;

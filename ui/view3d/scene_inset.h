@@ -28,7 +28,7 @@ public:
   /// Returns whether the view is large enough for an inset.
   static bool fitsInView(const QWidget& view);
   /// Returns the usual area of the inset, at the lower right, in view pixels.
-  static QRectF area(const QWidget& view);
+  static QRectF usualArea(const QWidget& view);
   /// Returns the area where the inset is painted, in view pixels; empty if there is no inset.
   QRectF shownArea(const QWidget& view, int chosen) const;
   void paint(QPainter& painter, const QWidget& view, int chosen) const;

@@ -35,12 +35,12 @@ void ScenePicture::start() {
     return;
   }
   vtk_->onCameraMoved = [this] {
-    scene_.holdView();
-    request();
+    scene_.keepCurrentView();
+    requestRendering();
   };
 }
 
-void ScenePicture::prepare() {
+void ScenePicture::prepareFirstImage() {
   start();
   if (vtk_) {
     constexpr QSize kSmall(64, 64);
@@ -49,7 +49,7 @@ void ScenePicture::prepare() {
   }
 }
 
-void ScenePicture::request() {
+void ScenePicture::requestRendering() {
   stale_ = true;
   if (!view_.isVisible() || timer_.isActive()) {
     return; // hidden: drawn when shown
@@ -82,12 +82,12 @@ QSize ScenePicture::size() const {
   return (QSizeF(view_.size()) * view_.devicePixelRatioF()).toSize().expandedTo(QSize(1, 1));
 }
 
-bool ScenePicture::fitsView() const {
+bool ScenePicture::hasSizeOfView() const {
   return image_.size() == size() &&
          qFuzzyCompare(image_.devicePixelRatio(), view_.devicePixelRatioF());
 }
 
-void ScenePicture::movePointer(OffscreenVtk::PointerEvent what, QPointF position, bool shift) {
+void ScenePicture::passPointerEvent(OffscreenVtk::PointerEvent what, QPointF position, bool shift) {
   if (vtk_) {
     vtk_->sendPointerEvent(what, (position * view_.devicePixelRatioF()).toPoint(), shift, false);
   }

@@ -28,16 +28,16 @@ public:
 
   /// Creates the OpenGL context and renders once while hidden, so that the first visible image
   /// appears without delay.
-  void prepare();
+  void prepareFirstImage();
   /// Marks the image as outdated. The image is redrawn soon, or when the view becomes visible.
-  void request();
+  void requestRendering();
   /// Renders the image immediately.
   void render();
 
   /// Returns the image, or null if nothing has been rendered.
   const QImage& image() const { return image_; }
   /// Returns whether the image has the size of the view.
-  bool fitsView() const;
+  bool hasSizeOfView() const;
   /// Returns whether the image is outdated.
   bool isStale() const { return stale_; }
   bool isUpToDate() const { return !stale_ && !timer_.isActive(); }
@@ -46,7 +46,7 @@ public:
   const std::string& failureReason() const { return failure_; }
 
   /// Passes a mouse event to the trackball camera. `position` is in view coordinates.
-  void movePointer(OffscreenVtk::PointerEvent what, QPointF position, bool shift);
+  void passPointerEvent(OffscreenVtk::PointerEvent what, QPointF position, bool shift);
 
 Q_SIGNALS:
   /// Emitted before the image is rendered. The receiver must now update the scene.

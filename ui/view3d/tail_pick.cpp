@@ -11,7 +11,7 @@ std::optional<TailPosition> nearestTailPosition(const TrackSnapshot& snapshot, c
     if (!snapshot.targets[k].target.isShown) {
       continue;
     }
-    for (const Eigen::Vector3d& point : snapshot.targets[k].tail) {
+    for (const Eigen::Vector3d& point : snapshot.targets[k].tailPositions) {
       const double away = (scene.projectToImage(point) - position).norm();
       if (away < nearest) {
         nearest = away;

@@ -36,7 +36,7 @@ ViewButtons::ViewButtons(QWidget& view) : QObject(&view), view_(view) {
   connect(fit_, &QToolButton::clicked, this, &ViewButtons::fitRequested);
 }
 
-void ViewButtons::setCurrent(Scene3d::View view) {
+void ViewButtons::setCurrentView(Scene3d::View view) {
   for (std::size_t i = 0; i < kViews.size(); ++i) {
     buttons_[i]->setChecked(view == kViews[i]);
   }
@@ -50,8 +50,8 @@ void ViewButtons::setShown(bool shown) {
 void ViewButtons::moveToCorner() {
   int x = kSpacing;
   int above = kSpacing; // the lower border of the view
-  const double end =
-      SceneInset::fitsInView(view_) ? SceneInset::area(view_).left() : view_.width() - kSpacing;
+  const double end = SceneInset::fitsInView(view_) ? SceneInset::usualArea(view_).left()
+                                                   : view_.width() - kSpacing;
   const auto put = [&](QToolButton* button) {
     const QSize size = button->sizeHint();
     if (x > kSpacing && x + size.width() > end) { // words are long in some languages

@@ -20,7 +20,7 @@ class ViewButtons : public QObject {
 public:
   explicit ViewButtons(QWidget& view);
 
-  void setCurrent(Scene3d::View view);
+  void setCurrentView(Scene3d::View view);
   void setShown(bool shown);
   /// Places the buttons in the lower left corner of the view.
   void moveToCorner();

@@ -19,7 +19,7 @@ QComboBox* makeChoiceField(const char* name, QWidget* parent) {
   return choice;
 }
 
-void addRotations(QComboBox& box) {
+void addRotationChoices(QComboBox& box) {
   for (const int degrees : {0, 90, 180, 270}) {
     box.addItem(angleText(degrees * base::kDegree, 0), degrees);
   }

@@ -19,7 +19,7 @@ QComboBox* makeChoiceField(const char* name, QWidget* parent);
 
 /// Adds the possible rotations of a camera image, 0 to 270 degrees, to a combo box. Their data is
 /// the angle in degrees, as in ProjectCamera::rotateDegrees.
-void addRotations(QComboBox& box);
+void addRotationChoices(QComboBox& box);
 
 /// Replaces the texts of a combo box without emitting signals. Keeps the selected row if it still
 /// exists; otherwise selects the last row.

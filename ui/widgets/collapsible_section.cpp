@@ -56,7 +56,7 @@ void CollapsibleSection::setOpen(bool open) {
   header_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
 }
 
-void CollapsibleSection::setMark(const QString& hint) {
+void CollapsibleSection::setAttentionHint(const QString& hint) {
   mark_->setVisible(!hint.isEmpty());
   mark_->setToolTip(hint);
 }

@@ -23,7 +23,7 @@ public:
   bool isOpen() const;
   void setOpen(bool open);
   /// Shows a dot after the heading, with a hint. An empty hint removes the dot.
-  void setMark(const QString& hint);
+  void setAttentionHint(const QString& hint);
 
 Q_SIGNALS:
   /// Emitted when the user opens or closes the section.

@@ -121,7 +121,7 @@ void DockTitle::setReason(const QString& reason) {
   showReason(reason, false);
 }
 
-void DockTitle::setOnlyReason(const QString& reason) {
+void DockTitle::showReasonInsteadOfState(const QString& reason) {
   showReason(reason, true);
 }
 

@@ -28,7 +28,7 @@ public:
   void setReason(const QString& reason);
   /// Shows a reason (such as "hidden here") instead of the state of the target, in the color used
   /// for a target that is not seen.
-  void setOnlyReason(const QString& reason);
+  void showReasonInsteadOfState(const QString& reason);
   /// Adds a widget (a small tool button) before the button that floats the dock.
   void addTool(QWidget* tool);
   /// Sets whether the dock fills the window.

@@ -19,8 +19,8 @@ public:
   explicit HueRing(QWidget* parent = nullptr);
 
   void setRange(double from, double to);
-  double fromDegrees() const { return from_; }
-  double toDegrees() const { return to_; }
+  double rangeStartDegrees() const { return from_; }
+  double rangeEndDegrees() const { return to_; }
   /// Sets the frequency of each hue in the image, in equal bins starting at 0 degrees. It is drawn
   /// inside the ring.
   void setHistogram(std::vector<double> counts);

@@ -128,7 +128,7 @@ void MessageRow::fit() {
 void MessageRow::takeNeededHeight() {
   const int wanted = neededHeight();
   if (wanted != maximumHeight()) {
-    Q_EMIT heightChanging();
+    Q_EMIT heightAboutToChange();
     setFixedHeight(wanted);
     updateGeometry();
     Q_EMIT heightChanged();

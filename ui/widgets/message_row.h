@@ -33,7 +33,7 @@ public:
 
 Q_SIGNALS:
   /// Emitted when the height of the row is about to change.
-  void heightChanging();
+  void heightAboutToChange();
   void heightChanged();
 
 protected:

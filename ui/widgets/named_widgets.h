@@ -19,7 +19,7 @@ inline QPushButton* makeButton(const char* name, QWidget* parent) {
 }
 
 /// Returns a square single-color icon for lists. `size` is in pixels.
-inline QIcon colorChip(const QColor& color, int size) {
+inline QIcon makeColorChip(const QColor& color, int size) {
   QPixmap pixmap(size, size);
   pixmap.fill(color);
   return {pixmap};

@@ -17,8 +17,8 @@ public:
   explicit RangeBar(QWidget* parent = nullptr);
 
   void setRange(double from, double to);
-  double rangeFrom() const { return from_; }
-  double rangeTo() const { return to_; }
+  double rangeStart() const { return from_; }
+  double rangeEnd() const { return to_; }
   /// Sets the frequency of each value in the image, in equal bins from 0 to 1.
   void setHistogram(std::vector<double> counts);
   /// Sets the colors under the bar, at 0 and at 1.

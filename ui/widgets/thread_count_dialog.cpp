@@ -21,7 +21,7 @@ ThreadCountDialog::ThreadCountDialog(int most, QWidget* parent)
   accept_->setObjectName(QStringLiteral("threadCountAccept"));
   cancel_->setObjectName(QStringLiteral("threadCountCancel"));
   threads_->setRange(0, most); // 0: as many as there are cores
-  threads_->setValue(Preferences().threadCountForFilter());
+  threads_->setValue(Preferences().filterThreadCount());
   label_->setBuddy(threads_);
   note_->setWordWrap(true);
   accept_->setDefault(true);

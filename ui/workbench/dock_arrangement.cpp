@@ -19,7 +19,7 @@ std::vector<ViewDock*> DockArrangement::docks() const {
 std::vector<ViewDock*> DockArrangement::docksAt(DockArea place) const {
   std::vector<ViewDock*> found = docks();
   std::erase_if(found, [place](const ViewDock* dock) { return dock->area() != place; });
-  std::ranges::stable_sort(found, {}, &ViewDock::rank);
+  std::ranges::stable_sort(found, {}, &ViewDock::orderInArea);
   return found;
 }
 
@@ -64,10 +64,10 @@ void DockArrangement::placeCameras(ViewDock* scene) {
   }
   // Cameras stand to the left of the scene, in as many columns as show the largest images.
   const std::size_t count = cameras.size();
-  if (cameraColumns_ < 1 || cameraColumns_ > static_cast<int>(count)) {
-    cameraColumns_ = cameraGrid(shares().cameraAreaSize).columnCount;
+  if (cameraColumnCount_ < 1 || cameraColumnCount_ > static_cast<int>(count)) {
+    cameraColumnCount_ = cameraGrid(viewSizes().cameraAreaSize).columnCount;
   }
-  const auto columns = static_cast<std::size_t>(cameraColumns_);
+  const auto columns = static_cast<std::size_t>(cameraColumnCount_);
   window_.removeDockWidget(scene);
   window_.addDockWidget(Qt::LeftDockWidgetArea, cameras.front());
   window_.splitDockWidget(cameras.front(), scene, Qt::Horizontal);
@@ -79,24 +79,24 @@ void DockArrangement::placeCameras(ViewDock* scene) {
   }
 }
 
-ViewShares DockArrangement::shares() const {
-  return viewSharesOf(window_, docksAt(DockArea::Inspector), *firstDockAt(DockArea::Scene),
-                      *firstDockAt(DockArea::Timeline));
+ViewSizes DockArrangement::viewSizes() const {
+  return viewSizesOf(window_, docksAt(DockArea::Inspector), *firstDockAt(DockArea::Scene),
+                     *firstDockAt(DockArea::Timeline));
 }
 
 ImageGrid DockArrangement::cameraGrid(const QSize& room) const {
   const auto cameras = docksAt(DockArea::Cameras);
   return bestImageGrid(imageAspectsOf(document_.project(), cameras.size()), room,
-                       cameras.front()->title().sizeHint().height(), cameraColumns_);
+                       cameras.front()->title().sizeHint().height(), cameraColumnCount_);
 }
 
-int DockArrangement::bestCameraColumns() const {
-  return docksAt(DockArea::Cameras).empty() ? cameraColumns_
-                                            : cameraGrid(shares().cameraAreaSize).columnCount;
+int DockArrangement::bestCameraColumnCount() const {
+  return docksAt(DockArea::Cameras).empty() ? cameraColumnCount_
+                                            : cameraGrid(viewSizes().cameraAreaSize).columnCount;
 }
 
 void DockArrangement::distributeSizes() {
-  const ViewShares all = shares();
+  const ViewSizes all = viewSizes();
   ViewDock* scene = firstDockAt(DockArea::Scene);
   const std::vector<ViewDock*> cameras = docksAt(DockArea::Cameras);
   QList<QDockWidget*> row;
@@ -105,14 +105,14 @@ void DockArrangement::distributeSizes() {
   if (!cameras.empty()) {
     const ImageGrid grid = cameraGrid(all.cameraAreaSize);
     // No wider than the images can use, if something else can.
-    const int least = cameras.size() > 1 ? all.minimumCameraWidth : 0;
+    const int least = cameras.size() > 1 ? all.minimumCameraAreaWidth : 0;
     const int wanted =
         all.sceneWidth == 0
             ? all.cameraAreaSize.width()
             : std::min(all.cameraAreaSize.width(), std::max(least, qCeil(grid.maximumUsefulWidth)));
-    for (std::size_t column = 0; column < grid.columnShares.size(); ++column) {
+    for (std::size_t column = 0; column < grid.columnWidthShares.size(); ++column) {
       row.push_back(cameras[column]);
-      widths.push_back(std::max(1, qRound(wanted * grid.columnShares[column])));
+      widths.push_back(std::max(1, qRound(wanted * grid.columnWidthShares[column])));
     }
     left -= wanted + kDockSeparator * grid.columnCount;
   }
@@ -133,7 +133,7 @@ void DockArrangement::distributeSizes() {
 void DockArrangement::distributeCameras(const ImageGrid& grid, int height) {
   const std::vector<ViewDock*> cameras = docksAt(DockArea::Cameras);
   QList<int> heights;
-  for (const double share : grid.heightShares) {
+  for (const double share : grid.viewHeightShares) {
     heights.push_back(std::max(1, qRound(height * share)));
   }
   window_.resizeDocks({cameras.begin(), cameras.end()}, heights, Qt::Vertical);

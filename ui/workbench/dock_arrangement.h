@@ -3,7 +3,7 @@
 
 #include "ui/workbench/image_grid.h"
 #include "ui/workbench/view_dock.h"
-#include "ui/workbench/view_shares.h"
+#include "ui/workbench/view_sizes.h"
 
 #include <vector>
 
@@ -22,7 +22,7 @@ public:
 
   /// Returns all docks, in the order of the window's children.
   std::vector<ViewDock*> docks() const;
-  /// Returns the docks at one position, ordered by rank.
+  /// Returns the docks at one position, in their order in this area.
   std::vector<ViewDock*> docksAt(DockArea place) const;
   /// Returns the first dock at a position, or null if there is none.
   ViewDock* firstDockAt(DockArea place) const;
@@ -30,25 +30,25 @@ public:
   /// Removes all docks from the window and adds them at their default positions.
   void placeDocks();
   /// Returns the number of columns of camera views, or 0 if they have not been placed yet.
-  int cameraColumns() const { return cameraColumns_; }
+  int cameraColumnCount() const { return cameraColumnCount_; }
   /// Sets the number of columns of camera views that the next `placeDocks()` uses.
-  void setCameraColumns(int columns) { cameraColumns_ = columns; }
+  void setCameraColumnCount(int columns) { cameraColumnCount_ = columns; }
   /// Returns the number of columns of camera views with which the images are largest. If there are
   /// no cameras, returns the current number.
-  int bestCameraColumns() const;
+  int bestCameraColumnCount() const;
   /// Resizes the docks to suit the window. The camera views must already be placed in
-  /// bestCameraColumns() columns.
+  /// bestCameraColumnCount() columns.
   void distributeSizes();
 
 private:
   void placeCameras(ViewDock* scene);
-  ViewShares shares() const;
+  ViewSizes viewSizes() const;
   ImageGrid cameraGrid(const QSize& room) const;
   void distributeCameras(const ImageGrid& grid, int height);
 
   QMainWindow& window_;
   const Document& document_;
-  int cameraColumns_ = 0;
+  int cameraColumnCount_ = 0;
 };
 
 } // namespace dewpoint::ui

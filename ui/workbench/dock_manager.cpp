@@ -62,11 +62,11 @@ ViewDock* DockManager::makeDock(const DockDeclaration& declaration) {
     }
   });
   names_->addDock(dock);
-  Q_EMIT dockMade(dock);
+  Q_EMIT dockCreated(dock);
   return dock;
 }
 
-void DockManager::remove(ViewDock* dock) {
+void DockManager::removeDock(ViewDock* dock) {
   if (dock == maximized_) {
     restoreMaximized();
   }
@@ -90,17 +90,18 @@ void DockManager::layOut() {
   restoreMaximized();
   suitsSize_ = true;
   arrange();
-  const auto layout = QByteArray::fromBase64(QByteArray::fromStdString(document_.project().layout));
+  const auto layout =
+      QByteArray::fromBase64(QByteArray::fromStdString(document_.project().windowLayout));
   suitsSize_ = layout.isEmpty() || restore(layout) == kForSize;
   if (suitsSize_ && !layout.isEmpty()) {
     // For this window: another one may have had another size.
-    rearrange(arrangement_.cameraColumns());
+    rearrange(arrangement_.cameraColumnCount());
     return;
   }
   Q_EMIT layoutChanged();
 }
 
-void DockManager::reset() {
+void DockManager::resetLayout() {
   document_.setLayout({});
   for (ViewDock* camera : arrangement_.docksAt(DockArea::Cameras)) {
     camera->setHiddenByUser(false);
@@ -147,7 +148,7 @@ void DockManager::rearrange(int columns) {
   std::erase_if(
       inFront, [](const ViewDock* dock) { return dock->isHidden() || dock->isBehindOtherDocks(); });
   std::erase_if(hidden, [](const ViewDock* dock) { return !dock->isHidden(); });
-  arrangement_.setCameraColumns(columns);
+  arrangement_.setCameraColumnCount(columns);
   arrange();
   for (ViewDock* dock : hidden) {
     dock->hide();
@@ -172,8 +173,8 @@ void DockManager::distributeDockSizes() {
   if (!suitsSize_ || maximized_ != nullptr || !window_.centralWidget()->isHidden()) {
     return; // later, when the views are back
   }
-  if (const int columns = arrangement_.bestCameraColumns();
-      columns != arrangement_.cameraColumns()) {
+  if (const int columns = arrangement_.bestCameraColumnCount();
+      columns != arrangement_.cameraColumnCount()) {
     rearrange(columns);
     distributeDockSizesSoon();
     return;

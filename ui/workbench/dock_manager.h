@@ -32,7 +32,7 @@ public:
 
   ViewDock* makeDock(const DockDeclaration& declaration);
   /// Removes a dock and its view from the window permanently.
-  void remove(ViewDock* dock);
+  void removeDock(ViewDock* dock);
   /// Returns all docks, in the order of the window's children.
   std::vector<ViewDock*> docks() const { return arrangement_.docks(); }
   /// Returns whether a widget is in a dock of which no part is visible.
@@ -42,7 +42,7 @@ public:
   void layOut();
   /// Restores the default arrangement, including hidden camera views, and discards the document's
   /// layout.
-  void reset();
+  void resetLayout();
   /// Resizes the views to suit the window, once the layout has settled. Does nothing if the user
   /// has rearranged the views.
   void distributeDockSizesSoon();
@@ -68,7 +68,7 @@ public:
   ViewDock* maximizedDock() const { return maximized_; }
 
 Q_SIGNALS:
-  void dockMade(ViewDock* dock);
+  void dockCreated(ViewDock* dock);
   /// Emitted when the docks have been arranged again. Modes such as calibration must then show
   /// their docks.
   void layoutChanged();

@@ -27,7 +27,7 @@ ImageGrid imageGridOf(std::span<const double> aspects, const QSizeF& room, doubl
                       int columns) {
   ImageGrid grid;
   grid.columnCount = columns;
-  grid.heightShares.resize(aspects.size());
+  grid.viewHeightShares.resize(aspects.size());
   const auto count = static_cast<std::size_t>(columns);
   for (std::size_t column = 0; column < count; ++column) {
     const auto views = viewsOf(column, count, aspects.size());
@@ -36,21 +36,22 @@ ImageGrid imageGridOf(std::span<const double> aspects, const QSizeF& room, doubl
       height += 1.0 / aspects[k];
     }
     for (const std::size_t k : views) {
-      grid.heightShares[k] = 1.0 / aspects[k] / height;
+      grid.viewHeightShares[k] = 1.0 / aspects[k] / height;
     }
     const auto rows = static_cast<double>(views.size());
     // By the mean image, so that a column with a view less is not wider than the others.
-    grid.columnShares.push_back(rows / height);
+    grid.columnWidthShares.push_back(rows / height);
     grid.maximumUsefulWidth += std::max(0.0, room.height() - rows * title) / height;
   }
-  const double whole = std::accumulate(grid.columnShares.begin(), grid.columnShares.end(), 0.0);
+  const double whole =
+      std::accumulate(grid.columnWidthShares.begin(), grid.columnWidthShares.end(), 0.0);
   for (std::size_t column = 0; column < count; ++column) {
-    grid.columnShares[column] /= whole;
+    grid.columnWidthShares[column] /= whole;
     const auto views = viewsOf(column, count, aspects.size());
     const double high = std::max(0.0, room.height() - static_cast<double>(views.size()) * title);
     for (const std::size_t k : views) {
-      const double width = std::min(room.width() * grid.columnShares[column],
-                                    high * grid.heightShares[k] * aspects[k]);
+      const double width = std::min(room.width() * grid.columnWidthShares[column],
+                                    high * grid.viewHeightShares[k] * aspects[k]);
       grid.imageArea += width * width / aspects[k];
     }
   }

@@ -16,9 +16,9 @@ namespace dewpoint::ui {
 struct ImageGrid {
   int columnCount = 1;
   double imageArea = 0.0; ///< area covered by images, in square units of the available room
-  double maximumUsefulWidth = 0.0;  ///< width beyond which no image grows
-  std::vector<double> columnShares; ///< fraction of the width, one per column; the sum is 1
-  std::vector<double> heightShares; ///< fraction of the column height, one per view
+  double maximumUsefulWidth = 0.0;       ///< width beyond which no image grows
+  std::vector<double> columnWidthShares; ///< fraction of the width, one per column; the sum is 1
+  std::vector<double> viewHeightShares;  ///< fraction of the column height, one per view
 };
 
 /// Returns the grid with this number of columns (1 to the number of images). `aspects` are width /

@@ -51,8 +51,8 @@ QWidget* shrinkable(QWidget* content, DockArea place, const QString& name) {
 } // namespace
 
 ViewDock::ViewDock(const DockDeclaration& declaration, QWidget* window)
-    : QDockWidget(window), area_(declaration.area), rank_(declaration.rank),
-      hiddenByUser_(declaration.hiddenAtFirst), openedByAction_(declaration.openedByAction) {
+    : QDockWidget(window), area_(declaration.area), orderInArea_(declaration.orderInArea),
+      hiddenByUser_(declaration.isHiddenAtFirst), openedByAction_(declaration.isOpenedByAction) {
   onRetranslate(this, [this, title = declaration.title] { setWindowTitle(title()); });
   setObjectName(declaration.name);
   setWidget(shrinkable(declaration.content, area_, declaration.name));
@@ -120,13 +120,13 @@ void ViewDock::closeEvent(QCloseEvent* event) {
   }
 }
 
-void ViewDock::setShownByUser(bool wanted) {
+void ViewDock::setShownByUserChoice(bool wanted) {
   hiddenByUser_ = !wanted;
   setVisible(wanted);
 }
 
 void ViewDock::bringToFront() {
-  setShownByUser(true);
+  setShownByUserChoice(true);
   raise();
 }
 

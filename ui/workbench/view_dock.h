@@ -28,10 +28,10 @@ struct DockDeclaration {
   std::function<QString()> title; ///< called again when the language changes
   QWidget* content;
   DockArea area = DockArea::Inspector;
-  int rank = 100;              ///< order among the docks at this position, lowest first
-  bool hiddenAtFirst = false;  ///< hidden until the user opens it
-  bool openedByAction = false; ///< an action shows the dock, so the command palette lists this
-                               ///< action instead of the dock
+  int orderInArea = 100;         ///< order among the docks at this position, lowest first
+  bool isHiddenAtFirst = false;  ///< hidden until the user opens it
+  bool isOpenedByAction = false; ///< an action shows the dock, so the command palette lists this
+                                 ///< action instead of the dock
 };
 
 /// Dock in the window with a DockTitle. In addition to Qt's state, it stores whether the user hid
@@ -43,14 +43,14 @@ public:
 
   DockTitle& title() { return *title_; }
   DockArea area() const { return area_; }
-  int rank() const { return rank_; }
+  int orderInArea() const { return orderInArea_; }
   bool isOpenedByAction() const { return openedByAction_; }
   /// Returns whether the user hid the dock, or the current method does not use it. Such a dock
   /// stays hidden when the other views are shown.
   bool isHiddenByUser() const { return hiddenByUser_; }
   void setHiddenByUser(bool hidden) { hiddenByUser_ = hidden; }
   /// Shows or hides the dock, and stores this as the user's choice.
-  void setShownByUser(bool wanted);
+  void setShownByUserChoice(bool wanted);
   /// Returns whether no part of the dock is visible, because it is behind another tab or hidden.
   bool isBehindOtherDocks() const { return behind_; }
   /// Shows the dock in front of the docks that are tabbed with it, and stores as the user's choice
@@ -77,7 +77,7 @@ private:
   void addWindowFrame();
 
   DockArea area_;
-  int rank_;
+  int orderInArea_;
   bool hiddenByUser_;
   bool openedByAction_;
   bool behind_ = false;

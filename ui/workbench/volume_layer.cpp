@@ -15,12 +15,12 @@ void connectVolume(const Workbench& bench, QObject* view,
   const Document* document = &bench.document;
   const QAction* layer = bench.action("actionShowVolumeOfInterest");
   const auto update = [document, layer, show] {
-    const bool isShown = layer->isChecked() && document->methodPresentation().searchesVolume;
+    const bool isShown = layer->isChecked() && document->methodPresentation().limitsSearchToVolume;
     show(isShown ? document->project().volumeOfInterest : std::nullopt);
   };
   QObject::connect(document, &Document::volumeChanged, view, update);
   QObject::connect(document, &Document::methodChanged, view, update);
-  QObject::connect(document, &Document::replaced, view, update);
+  QObject::connect(document, &Document::projectReplaced, view, update);
   QObject::connect(layer, &QAction::toggled, view, update);
   update();
 }

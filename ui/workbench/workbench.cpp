@@ -48,7 +48,7 @@ void Workbench::requireRun(std::initializer_list<ActionId> ids,
   QObject::connect(&session, &SessionController::runStarted, &actions, update);
   QObject::connect(&session, &SessionController::runEnded, &actions, update);
   QObject::connect(&docks, &DockManager::viewsShownChanged, &actions, update);
-  QObject::connect(&document, &Document::replaced, &actions, update);
+  QObject::connect(&document, &Document::projectReplaced, &actions, update);
   QObject::connect(&document, &Document::methodChanged, &actions, update);
   update();
 }

@@ -57,7 +57,7 @@ struct Workbench {
   template <class View> void connectImageView(View* view) const {
     QObject::connect(&session, &SessionController::snapshotChanged, view,
                      [view, run = &session](const TrackSnapshotPtr& snapshot) {
-                       view->setSnapshot(run->withFilledFrames(snapshot));
+                       view->setSnapshot(run->withMissingImagesFilled(snapshot));
                      });
   }
 };

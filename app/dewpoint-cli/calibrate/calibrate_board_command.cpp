@@ -43,7 +43,7 @@ Status takeRequest(BoardOptions& options) {
   options.request.board = *board;
   options.request.firstFrame = frames->first;
   options.request.endFrame = frames->end;
-  options.request.suggestBoardFirst = !options.searchAll;
+  options.request.checksForOtherBoardFirst = !options.searchAll;
   options.request.model = options.model == "8"         ? IntrinsicsModel::EightCoefficients
                           : options.model == "fisheye" ? IntrinsicsModel::Fisheye
                                                        : IntrinsicsModel::FiveCoefficients;
@@ -68,9 +68,9 @@ void printLens(const Camera& camera) {
 
 void printViews(const std::vector<ViewFit>& views) {
   for (const ViewFit& view : views) {
-    if (!view.used) {
+    if (!view.isUsed) {
       fmt::print("left out: {}: {}\n", view.name, view.reason);
-    } else if (view.doubtful) {
+    } else if (view.isDoubtful) {
       fmt::print("doubtful: {}: {}\n", view.name, view.reason);
     }
   }
@@ -82,8 +82,8 @@ void printIntrinsics(const BoardDetections::PerCamera& seen, const IntrinsicsRes
     fmt::print("{}\n", seen.name);
   }
   fmt::print("the board was found in {} of {} images; {} are used\n", seen.views.size(),
-             seen.searchedImages, std::ranges::count(result.views, true, &ViewFit::used));
-  if (const std::string missed = missedText(seen); !missed.empty()) {
+             seen.searchedImageCount, std::ranges::count(result.views, true, &ViewFit::isUsed));
+  if (const std::string missed = missedImagesText(seen); !missed.empty()) {
     fmt::print("{}\n", missed);
   }
   fmt::print("RMS {:.4f} px\n", result.rmsPx);
@@ -102,7 +102,7 @@ void printLenses(const BoardDetections& seen, const LensesFromBoards& lenses) {
       printIntrinsics(seen.cameras[k], *lenses.cameras[k], lenses.cameras.size() > 1);
     }
   }
-  for (const Error& kept : lenses.keptIntrinsics) {
+  for (const Error& kept : lenses.keptIntrinsicsReasons) {
     fmt::print("note: {}.\n", keptIntrinsicsText(kept));
   }
 }
@@ -112,14 +112,14 @@ void printPositions(const BoardDetections& seen, const BoardOutcome& outcome) {
   fmt::print("RMS {:.4f} px over {} board poses\n", result.rmsPx, result.boardPoses.size());
   for (std::size_t k = 0; k < result.cameras.size(); ++k) {
     const Camera& camera = result.cameras[k];
-    const CameraFit& fit = result.fits[k];
+    const CameraFit& fit = result.cameraFits[k];
     const Eigen::Vector3d center = camera.center();
     const Eigen::Vector3d axis = camera.opticalAxis();
     fmt::print("{}\n", seen.cameras[k].name);
-    if (std::ranges::none_of(fit.views, &ViewFit::used)) {
+    if (std::ranges::none_of(fit.views, &ViewFit::isUsed)) {
       fmt::print("{} in {} images; it keeps its pose\n",
                  fit.views.empty() ? "never saw the board" : "fits in none of its views",
-                 seen.cameras[k].searchedImages);
+                 seen.cameras[k].searchedImageCount);
       printViews(fit.views);
       continue;
     }
@@ -160,8 +160,8 @@ int intrinsicsOfPictures(const BoardOptions& options) {
   const auto effort =
       options.corners == "sample" ? DetectionEffort::Sample : DetectionEffort::Exact;
   const auto progress = interruptibleProgress();
-  const auto seen =
-      findBoards(files, options.request.board, effort, progress, options.request.suggestBoardFirst);
+  const auto seen = findBoards(files, options.request.board, effort, progress,
+                               options.request.checksForOtherBoardFirst);
   if (!seen) {
     return reportCalibrationError(seen.error());
   }
@@ -352,7 +352,7 @@ void addCalibrateExtrinsicsCommand(CLI::App& group, int& exitCode) {
   command->add_option("--instants", options->request.maxInstants, "Number of board poses to use")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
-  command->add_flag("--refine-lenses", options->request.refineIntrinsics,
+  command->add_flag("--refine-lenses", options->request.refinesIntrinsics,
                     "Refine the intrinsics together with the poses");
   addOutputOptions(*command, options->output, true);
   command->callback([options, &exitCode] { exitCode = extrinsics(*options); });

@@ -95,17 +95,17 @@ CalibrationProgress interruptibleProgress() {
       shown->bar = std::make_unique<Progress>(nameOf(stage), kProgressSteps);
     }
     shown->bar->show(static_cast<std::int64_t>(part * static_cast<double>(kProgressSteps)));
-    return !interruptionRequested();
+    return !wasInterruptionRequested();
   };
 }
 
 void printAccuracy(const std::optional<CalibrationAccuracy>& accuracy, const std::string& sentence,
                    const std::vector<DetectedFault>& faults) {
   fmt::print("Calibration accuracy: {}\n", sentence);
-  if (accuracy && accuracy->modelFactor > 1.0) {
+  if (accuracy && accuracy->errorInflationFactor > 1.0) {
     fmt::print("Solutions from parts of the recording vary {:.1f} times more than noise predicts. "
                "The stated accuracy includes this.\n",
-               accuracy->modelFactor);
+               accuracy->errorInflationFactor);
   }
   for (const DetectedFault& fault : faults) {
     fmt::print("Fault: {}\n", fault.sentence);

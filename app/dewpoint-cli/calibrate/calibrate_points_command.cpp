@@ -46,17 +46,17 @@ const ProjectCamera& cameraOf(const Project& project, const CameraFromPoints& fo
 
 /// "rotate = 180, mirror = true", as in a project file.
 std::string orientationText(const ImageSymmetry& symmetry) {
-  return fmt::format("rotate = {}, mirror = {}", symmetry.rotateDegrees, symmetry.mirrored);
+  return fmt::format("rotate = {}, mirror = {}", symmetry.rotateDegrees, symmetry.isMirrored);
 }
 
 void printProposal(const Project& project, const CameraFromPoints& found) {
   const ProjectCamera& camera = cameraOf(project, found);
   const ImageSymmetry& symmetry = found.proposal->symmetry;
-  const ImageSymmetry source = combined({camera.rotateDegrees, camera.mirrored}, symmetry);
+  const ImageSymmetry source = combined({camera.rotateDegrees, camera.isMirrored}, symmetry);
   fmt::print("{} seems to be {}{}{}: its points fit within {:.2f} px with {}{}.\n",
              camera.camera.name, symmetry.rotateDegrees != 0 ? "rotated" : "",
-             symmetry.rotateDegrees != 0 && symmetry.mirrored ? " and " : "",
-             symmetry.mirrored ? "mirrored" : "", found.proposal->rmsPx, orientationText(source),
+             symmetry.rotateDegrees != 0 && symmetry.isMirrored ? " and " : "",
+             symmetry.isMirrored ? "mirrored" : "", found.proposal->rmsPx, orientationText(source),
              canSetImageSymmetry(camera) ? "; --accept-orientation sets it" : "");
 }
 
@@ -73,9 +73,9 @@ Project withOrientations(const Project& project, const PointSolution& solution) 
   Project changed = withProposedSymmetries(project, solution.cameras);
   for (const CameraFromPoints& found : solution.cameras) {
     const ProjectCamera& camera = cameraOf(changed, found);
-    const ImageSymmetry set{camera.rotateDegrees, camera.mirrored};
+    const ImageSymmetry set{camera.rotateDegrees, camera.isMirrored};
     const ProjectCamera& before = cameraOf(project, found);
-    if (set != ImageSymmetry{before.rotateDegrees, before.mirrored}) {
+    if (set != ImageSymmetry{before.rotateDegrees, before.isMirrored}) {
       fmt::print("{}: {} now.\n", camera.camera.name, orientationText(set));
     }
   }
@@ -86,12 +86,13 @@ void printPoints(const Project& project, const PointSolution& solution) {
   fmt::print("{:<24} {:<16} {:>8} {:>8}\n", "point", "camera", "px", "mm");
   for (const ClickResidual& residual : solution.residuals) {
     fmt::print("{:<24} {:<16} {:>8.3f} {:>8.2f}\n",
-               project.points[static_cast<std::size_t>(residual.point)].name,
-               solution.rig[static_cast<std::size_t>(residual.camera)].name, residual.pixels,
-               inMillimeters(residual.meters));
+               project.measuredPoints[static_cast<std::size_t>(residual.pointIndex)].name,
+               solution.rig[static_cast<std::size_t>(residual.camera)].name, residual.imageDistancePx,
+               inMillimeters(residual.rayDistance));
   }
   if (solution.worstPoint) {
-    const std::string& name = project.points[static_cast<std::size_t>(*solution.worstPoint)].name;
+    const std::string& name =
+        project.measuredPoints[static_cast<std::size_t>(*solution.worstPoint)].name;
     fmt::print("{}: {}.\n", solution.isWorstPointWrong ? "Does not fit the other points" : "Worst",
                name);
   }
@@ -111,14 +112,15 @@ int calibrate(const PointsCommandOptions& options) {
   if (!project) {
     return reportError(project.error());
   }
-  if (project->points.empty()) {
+  if (project->measuredPoints.empty()) {
     return reportError({ErrorCode::MissingKey, options.project, "point",
                         "there is no measured point to calibrate with"});
   }
-  PointSolution solution = solveFromPoints(rigOf(*project), project->points, options.points);
+  PointSolution solution =
+      solveFromPoints(rigOf(*project), project->measuredPoints, options.points);
   if (options.acceptOrientation) {
     *project = withOrientations(*project, solution);
-    solution = solveFromPoints(rigOf(*project), project->points, options.points);
+    solution = solveFromPoints(rigOf(*project), project->measuredPoints, options.points);
   }
   fmt::print("{:<16} {:>6} {:>8}\n", "camera", "points", "px");
   for (const CameraFromPoints& found : solution.cameras) {
@@ -127,7 +129,7 @@ int calibrate(const PointsCommandOptions& options) {
   printPoints(*project, solution);
   auto written = options.out.empty() ? Status() : saveCalibration(solution.rig, options.out);
   if (written && options.apply) {
-    written = saveProject(withPointSolution(*project, solution, options.points.estimateFocal),
+    written = saveProject(withPointSolution(*project, solution, options.points.estimatesFocal),
                           options.project);
   }
   return written ? static_cast<int>(kExitDone) : reportError(written.error());
@@ -141,7 +143,7 @@ void addCalibratePointsCommand(CLI::App& group, int& exitCode) {
   auto options = std::make_shared<PointsCommandOptions>();
   command->add_option("PROJECT", options->project, "Project file (TOML) with [[point]] tables")
       ->required();
-  command->add_flag("--focal", options->points.estimateFocal, "Calibrate the focal lengths, too");
+  command->add_flag("--focal", options->points.estimatesFocal, "Calibrate the focal lengths, too");
   command->add_option("--out", options->out, "Calibration file to write");
   command->add_flag("--apply", options->apply, "Write the cameras into the project file");
   command->add_flag(

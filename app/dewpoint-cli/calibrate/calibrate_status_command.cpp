@@ -34,17 +34,17 @@ void printWorld(const CalibrationStatus& status) {
                                 : "");
   fmt::print("floor     {}\n",
              status.isUpright ? originText(status.floor) : "the z axis does not seem to point up");
-  fmt::print("accuracy  {}\n", status.accuracy
+  fmt::print("accuracy  {}\n", status.errorInVolume
                                    ? fmt::format("{:.1f} mm in the calibrated volume (95 %)",
-                                                 inMillimeters(*status.accuracy))
+                                                 inMillimeters(*status.errorInVolume))
                                    : "not measured");
   if (status.errorOutsideVolume) {
     fmt::print("          {:.1f} mm outside this volume (95 %, extrapolated)\n",
                inMillimeters(*status.errorOutsideVolume));
   }
   if (status.lengthCheck) {
-    fmt::print("length    {:.4f} m measured, {:.4f} m found\n", status.lengthCheck->measured,
-               status.lengthCheck->found);
+    fmt::print("length    {:.4f} m measured, {:.4f} m found\n", status.lengthCheck->measuredLength,
+               status.lengthCheck->calibratedLength);
   }
 }
 
@@ -62,7 +62,7 @@ int printStatus(const std::string& name) {
   for (std::size_t k = 0; k < status.cameras.size(); ++k) {
     const CameraCalibrationStatus& camera = status.cameras[k];
     fmt::print("{:<{}}  {:<26} {:<26} {:>9.1f}\n", project->cameras[k].camera.name, width,
-               lensText(camera.lens), poseText(camera.pose), inMilliseconds(camera.delay));
+               lensText(camera.lens), poseText(camera.pose), inMilliseconds(camera.delaySeconds));
   }
   printWorld(status);
   return kExitDone;

@@ -45,10 +45,11 @@ Status settle(WandCommandOptions& options) {
     return wrong("--stick", "--stick and --length must be used together");
   }
   if (!options.distance.empty()) {
-    wand.distance = TouchedDistance{options.distance[0], options.distance[1], options.distance[2]};
+    wand.touchedDistance =
+        TouchedDistance{options.distance[0], options.distance[1], options.distance[2]};
   }
   if (!options.drop.empty()) {
-    wand.fallSpan = std::array<double, 2>{options.drop[0], options.drop[1]};
+    wand.freeFallSpan = std::array<double, 2>{options.drop[0], options.drop[1]};
   }
   if (!options.offBy.empty()) {
     wand.initialPositionError = options.offBy[0];
@@ -72,11 +73,11 @@ public:
   bool show(const WandCalibrationProgress& work) {
     if (!bar_ || work.isSearching != looking_) {
       finish();
-      bar_.emplace(work.isSearching ? "looking" : "solving", work.total);
+      bar_.emplace(work.isSearching ? "looking" : "solving", work.totalStepCount);
       looking_ = work.isSearching;
     }
-    bar_->show(work.done);
-    return !interruptionRequested();
+    bar_->show(work.doneStepCount);
+    return !wasInterruptionRequested();
   }
   void finish() {
     if (bar_) {
@@ -95,19 +96,21 @@ void printCameras(const WandRefinement& refinement) {
   const WandResult& result = refinement.result;
   fmt::print("{:<16} {:>6} {:>8} {:>7} {:>9} {:>9}", "camera", "views", "dropped", "px", "moved cm",
              "rotated deg");
-  fmt::print("{}{}\n", options.estimateTimeOffsets ? "  delay ms" : "",
-             options.estimateFocalLengths ? "   focal" : "");
+  fmt::print("{}{}\n", options.estimatesTimeOffsets ? "  delay ms" : "",
+             options.estimatesFocalLengths ? "   focal" : "");
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     const Camera& camera = result.cameras[c];
     const PoseShift shift = poseShift(refinement.camerasBefore[c], camera);
-    fmt::print("{:<16} {:>6} {:>8} {:>7} {:>9.2f} {:>11.2f}", camera.name, result.views[c],
-               result.dropped[c],
-               result.views[c] > 0 ? fmt::format("{:.3f}", result.cameraMedianResidualPx[c]) : "-",
+    fmt::print("{:<16} {:>6} {:>8} {:>7} {:>9.2f} {:>11.2f}", camera.name, result.usedViewCounts[c],
+               result.droppedViewCounts[c],
+               result.usedViewCounts[c] > 0
+                   ? fmt::format("{:.3f}", result.cameraMedianResidualPx[c])
+                   : "-",
                inCentimeters(shift.meters), inDegrees(shift.radians));
-    if (options.estimateTimeOffsets) {
+    if (options.estimatesTimeOffsets) {
       fmt::print(" {:>9.2f}", -inMilliseconds(result.timeOffsets[c]) + 0.0); // no -0.00
     }
-    if (options.estimateFocalLengths) {
+    if (options.estimatesFocalLengths) {
       fmt::print(" {:>7.1f}", camera.intrinsics.focalX);
     }
     fmt::print("\n");
@@ -115,21 +118,21 @@ void printCameras(const WandRefinement& refinement) {
 }
 
 void printDecisions(const WandOptions& options, const WandResult& result) {
-  fmt::print("Median reprojection error {:.3f} px; best of {} starts; {:.1f} s.\n", result.medianPx,
-             result.starts.size(), result.seconds);
-  const char* source = result.scale == WandScale::Stick      ? "the length of the wand"
-                       : result.scale == WandScale::Distance ? "the measured distance"
-                       : result.scale == WandScale::Diameter ? "the ball's diameter"
-                                                             : "the earlier calibration";
+  fmt::print("Median reprojection error {:.3f} px; best of {} starts; {:.1f} s.\n",
+             result.medianResidualPx, result.starts.size(), result.computationSeconds);
+  const char* source = result.scaleMethod == WandScale::Stick      ? "the length of the wand"
+                       : result.scaleMethod == WandScale::Distance ? "the measured distance"
+                       : result.scaleMethod == WandScale::Diameter ? "the ball's diameter"
+                                                                   : "the earlier calibration";
   fmt::print("Size: from {}, {:+.2f} % compared with before", source,
              inPercent(result.scaleFactor - 1.0));
   if (result.scaleSigma > 0.0) {
     fmt::print(" (+-{:.2f} %)", inPercent(result.scaleSigma));
   }
   fmt::print(".\n");
-  if (result.floorFound) {
+  if (result.isFloorFound) {
     fmt::print("Floor: from {} positions, flat to {:.1f} mm; z = 0 on the floor.\n",
-               options.floorTimes.size(), inMillimeters(result.floorRms));
+               options.floorTimes.size(), inMillimeters(result.floorRmsDistance));
   } else if (!options.floorTimes.empty()) {
     fmt::print("Floor: height from {} positions. Give three or more to measure the upward "
                "direction, too.\n",
@@ -137,9 +140,10 @@ void printDecisions(const WandOptions& options, const WandResult& result) {
   }
   if (result.freeFall) {
     fmt::print("Fall: gravity {:.2f} +- {:.2f} m/s^2 from {} frames; 9.81 is expected.\n",
-               result.freeFall->gravity, result.freeFall->sigma, result.freeFall->instants);
+               result.freeFall->gravity, result.freeFall->gravitySigma,
+               result.freeFall->usedPositionCount);
   }
-  if (result.floorFound || result.freeFall) {
+  if (result.isFloorFound || result.freeFall) {
     fmt::print("Upward direction: rotated by {:.2f} degrees.\n",
                inDegrees(result.upCorrectionAngle));
   } else {
@@ -185,9 +189,9 @@ int calibrate(WandCommandOptions options) {
     fmt::print("note: {}\n", motionGapText(gap, result->camerasBefore));
   }
   const std::optional<std::string> kept =
-      isUnnecessary(*result)   ? std::optional(unnecessaryText(*result))
-      : isKnownBetter(*result) ? std::optional(knownBetterText(*result))
-                               : std::nullopt;
+      isUnnecessary(*result)               ? std::optional(unnecessaryRefinementText(*result))
+      : areOldCamerasMoreAccurate(*result) ? std::optional(oldCamerasMoreAccurateText(*result))
+                                           : std::nullopt;
   const bool better = !isInaccurate(*result) && !kept;
   if (kept && options.apply) {
     reportError({ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
@@ -236,10 +240,10 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
                      ->check(positive);
   command->add_option("--frames", options->frames,
                       "Only frames A to B-1, as A:B (either may be empty)");
-  command->add_flag("--offsets", wand.estimateTimeOffsets,
+  command->add_flag("--offsets", wand.estimatesTimeOffsets,
                     "Find the delay of each camera relative to the first; --apply saves it");
-  command->add_flag("--focal", wand.estimateFocalLengths, "Find the focal lengths");
-  command->add_flag("--k1", wand.estimateDistortion, "Find the first distortion coefficient");
+  command->add_flag("--focal", wand.estimatesFocalLengths, "Find the focal lengths");
+  command->add_flag("--k1", wand.estimatesDistortion, "Find the first distortion coefficient");
   auto* distance = command
                        ->add_option("--distance", options->distance,
                                     "T1 T2 METERS: at the times T1 and T2, in seconds, the ball "

@@ -43,8 +43,8 @@ Result<std::vector<MeasuredPoint>> pointsCalled(const Project& project,
                                                 const std::vector<std::string>& names) {
   std::vector<MeasuredPoint> points;
   for (const std::string& name : names) {
-    const auto found = std::ranges::find(project.points, name, &MeasuredPoint::name);
-    if (found == project.points.end()) {
+    const auto found = std::ranges::find(project.measuredPoints, name, &MeasuredPoint::name);
+    if (found == project.measuredPoints.end()) {
       return failure(ErrorCode::UnknownKey, project.file.string(), name,
                      "the project has no point with this name");
     }
@@ -106,7 +106,7 @@ Result<Project> inNewWorld(Project project, const WorldCommandOptions& options) 
     if (!one.isWanted) {
       continue;
     }
-    if (one.step == WorldStep::Upright && !canTurnUpright(project)) {
+    if (one.step == WorldStep::Upright && !canRotateUpright(project)) {
       fmt::print("upright  unchanged: the images are upright, or do not show which way is up\n");
       continue;
     }
@@ -130,7 +130,7 @@ Result<Project> inNewWorld(Project project, const WorldCommandOptions& options) 
         options.shift.empty()
             ? Eigen::Vector3d::Zero().eval()
             : Eigen::Vector3d(options.shift[0], options.shift[1], options.shift[2]);
-    project = withMovedWorld(std::move(project), movedBy(shift, options.turnDegrees * kDegree));
+    project = withMovedWorld(std::move(project), rigidMotion(shift, options.turnDegrees * kDegree));
   }
   return project;
 }
@@ -156,7 +156,7 @@ int moveWorld(const WorldCommandOptions& options) {
     fmt::print("{:<16} {:>9.4f} {:>9.4f} {:>9.4f}\n", camera.camera.name, center.x(), center.y(),
                center.z());
   }
-  if (canTurnUpright(*moved)) {
+  if (canRotateUpright(*moved)) {
     fmt::print("The images would be upright if the world were rotated: see --upright.\n");
   }
   const auto written = writeCalibrated(options.output, *moved, {});

@@ -59,7 +59,7 @@ Status takeChanges(ConvertOptions& options) {
   }
   options.changes.adaptation = {std::move(*names), parseSizeFit(options.fit)};
   if (!options.toSize.empty()) {
-    options.changes.size = sizeFrom(options.toSize);
+    options.changes.imageSize = sizeFrom(options.toSize);
   }
   const bool isRotation = options.fit.starts_with("rotate");
   if (!options.fit.empty() && !isRotation && options.toSize.empty()) {
@@ -73,7 +73,7 @@ void takeHints(ConvertOptions& options) {
   options.hints.metersPerUnit = meters(options.unit);
   options.target.metersPerUnit = meters(options.outUnit);
   if (!options.size.empty()) {
-    options.hints.size = sizeFrom(options.size);
+    options.hints.imageSize = sizeFrom(options.size);
   }
   if (!options.lens.empty()) {
     options.hints.lens = options.lens == "fisheye" ? LensModel::Fisheye : LensModel::Pinhole;
@@ -87,9 +87,9 @@ std::string cameraSentence(const CameraDifference& camera) {
   std::string text = fmt::format("{}: largest difference over the image {} px{}", camera.camera,
                                  twoSignificantDigitsText(camera.maxDifferencePx),
                                  camera.isRefitted ? " (refitted)" : "");
-  if (camera.lostDirectionCount > 0) {
+  if (camera.unseenDirectionCount > 0) {
     text +=
-        fmt::format("; {} of 81 directions no longer map to a pixel", camera.lostDirectionCount);
+        fmt::format("; {} of 81 directions no longer map to a pixel", camera.unseenDirectionCount);
   }
   return text;
 }
@@ -111,7 +111,7 @@ int convert(ConvertOptions& options) {
   for (const std::string& notice : conversion->notices) {
     fmt::print(stderr, "dewpoint-cli: note: {}.\n", notice);
   }
-  for (const CameraDifference& camera : conversion->cameras) {
+  for (const CameraDifference& camera : conversion->cameraDifferences) {
     fmt::print("{}\n", cameraSentence(camera));
   }
   fmt::print("largest reprojection difference: {} px\n",

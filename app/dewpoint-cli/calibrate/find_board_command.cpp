@@ -68,7 +68,7 @@ int findBoard(const FindBoardOptions& options) {
   }
   for (const BoardGuess& guess : found->guesses) {
     fmt::print("{}\n  {}: {} corners in {} of {} images\n", boardText(guess.board),
-               guessText(guess), guess.cornerCount, guess.imageCount, guess.searchedImageCount);
+               describeGuess(guess), guess.cornerCount, guess.imageCount, guess.searchedImageCount);
     if (guess.isMirrored) {
       fmt::print("  The images are mirrored left to right: set mirror = true in the project file, "
                  "or false if it is set.\n");

@@ -63,14 +63,14 @@ Result<Eigen::AlignedBox3d> volumeOf(const PlanOptions& options, const Project& 
 void printRig(const CameraRig& rig, const PlacementSettings& settings) {
   const RigMap map =
       RigMapper().map(gridOver(settings.volume, kMapCells), settings.pixelSigma, rig);
-  const RigMapSummary summary = summaryOf(map, settings.goodSigma);
+  const RigMapSummary summary = summaryOf(map, settings.maxGoodSigma);
   const Eigen::Vector3d low = settings.volume.min();
   const Eigen::Vector3d high = settings.volume.max();
   fmt::print("volume                  {:.2f} {:.2f} {:.2f} to {:.2f} {:.2f} {:.2f} m\n", low.x(),
              low.y(), low.z(), high.x(), high.y(), high.z());
   fmt::print("cameras                 {}\n", rig.size());
-  fmt::print("within {:.4g} mm         {:.1f} % of the volume\n", inMillimeters(settings.goodSigma),
-             inPercent(summary.fractionWithinLimit));
+  fmt::print("within {:.4g} mm         {:.1f} % of the volume\n",
+             inMillimeters(settings.maxGoodSigma), inPercent(summary.fractionWithinLimit));
   fmt::print("fewer than two cameras  {:.1f} %\n", inPercent(summary.fractionSeenByTooFew));
 }
 
@@ -89,8 +89,9 @@ int plan(PlanOptions& options) {
   CameraRig rig = rigOf(*project);
   printRig(rig, options.placement);
   catchInterruption();
-  const auto found = placeCamera(rig, newCamera(options, rig), options.placement,
-                                 [](CalibrationStage, double) { return !interruptionRequested(); });
+  const auto found =
+      placeCamera(rig, newCamera(options, rig), options.placement,
+                  [](CalibrationStage, double) { return !wasInterruptionRequested(); });
   if (!found) {
     return found.error().code == ErrorCode::Canceled ? static_cast<int>(kExitInterrupted)
                                                      : reportError(found.error());
@@ -101,8 +102,8 @@ int plan(PlanOptions& options) {
       "best new position       {:.2f} {:.2f} {:.2f} m, yaw {:.1f} degrees, pitch {:.1f} degrees\n",
       center.x(), center.y(), center.z(), inDegrees(heading.yaw), inDegrees(heading.pitch));
   fmt::print("within {:.4g} mm then    {:.1f} % of the volume, {:.1f} % before\n",
-             inMillimeters(options.placement.goodSigma), inPercent(found->goodFractionAfter),
-             inPercent(found->goodFractionBefore));
+             inMillimeters(options.placement.maxGoodSigma),
+             inPercent(found->goodVolumeFractionAfter), inPercent(found->goodVolumeFractionBefore));
   if (!options.out.empty()) {
     rig.push_back(found->camera);
     if (const auto written = saveCalibration(rig, options.out); !written) {
@@ -146,7 +147,7 @@ void addPlanCommand(CLI::App& app, int& exitCode) {
       ->capture_default_str();
   command
       ->add_option(
-          "--good", placement.goodSigma,
+          "--good", placement.maxGoodSigma,
           "Largest standard deviation of a position that counts as accurate enough, meters")
       ->check(CLI::Range(1e-6, 10.0))
       ->capture_default_str();

@@ -17,7 +17,7 @@ void catchInterruption() {
   std::signal(SIGTERM, [](int) { requested = true; });
 }
 
-bool interruptionRequested() {
+bool wasInterruptionRequested() {
   return requested;
 }
 

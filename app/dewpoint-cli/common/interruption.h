@@ -10,6 +10,6 @@ namespace dewpoint::app {
 void catchInterruption();
 /// Returns whether Ctrl-C was pressed, or a termination signal received, since catchInterruption()
 /// was called.
-bool interruptionRequested();
+bool wasInterruptionRequested();
 
 } // namespace dewpoint::app

@@ -14,7 +14,7 @@ namespace dewpoint::app {
 void addJobOptions(CLI::App& command, JobOptions& options) {
   command.add_option("--label", options.label,
                      "Name of the recording in gathered tables (default: PROJECT)");
-  command.add_flag("--force", options.force,
+  command.add_flag("--force", options.repeatsFinishedJob,
                    "Track again even if the folder already contains the result");
 }
 
@@ -40,7 +40,7 @@ JobRecord makeJobRecord(const std::string& command, const Project& project,
 
 bool isAlreadyDone(const std::filesystem::path& folder, const JobRecord& job,
                    const JobOptions& options) {
-  if (options.force || !JobFolder::finishedRecord(folder, job.key)) {
+  if (options.repeatsFinishedJob || !JobFolder::readFinishedRecord(folder, job.key)) {
     return false;
   }
   fmt::print("Nothing to do: {} already contains this result. Use --force to track again.\n",

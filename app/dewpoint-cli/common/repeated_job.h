@@ -17,7 +17,7 @@ namespace dewpoint::app {
 struct JobOptions {
   /// Label of the recording in combined tables; if empty, the project as named on the command line.
   std::string label;
-  bool force = false; ///< track again even if the result exists
+  bool repeatsFinishedJob = false; ///< track again even if the result exists
 };
 
 /// Adds the command-line options that fill `options` to a command.

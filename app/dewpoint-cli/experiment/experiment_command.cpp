@@ -63,7 +63,7 @@ int studyBarrera(const ConvergenceOptions& options) {
       return reportError(result.error());
     }
     fmt::print("{:<50} {:>4} / {:<4} {:>11} {:>11.1f} {:>9.1f} {:>8.1f} mm\n", setup.name,
-               result->convergedRunCount, setup.runs, result->accurateRunCount,
+               result->convergedRunCount, setup.runCount, result->accurateRunCount,
                result->medianIterations, inMillimeters(result->rmse),
                inMillimeters(result->depthBias));
     std::fflush(stdout);
@@ -75,7 +75,7 @@ int studyBarrera(const ConvergenceOptions& options) {
   }
   for (const DriftResult& drift : *drifts) {
     fmt::print("drift away from a single camera: {:.1f} mm per iteration over the first {}\n",
-               inMillimeters(drift.metersPerIteration), drift.iterations);
+               inMillimeters(drift.metersPerIteration), drift.iterationCount);
   }
   fmt::print("Seeds {}.\n", describeSeeds(options.first, options.runs));
   if (!options.folder.empty()) {
@@ -88,14 +88,15 @@ int studyBarrera(const ConvergenceOptions& options) {
 
 void printTrial(const WandTrial& trial) {
   fmt::print("{:>6} {:<33}", trial.seed, wandCaseName(trial.kind));
-  if (!trial.failure.empty()) {
-    fmt::print(" {}\n", trial.failure);
+  if (!trial.failureReason.empty()) {
+    fmt::print(" {}\n", trial.failureReason);
     return;
   }
   fmt::print(" {:>9.2f} {:>8.2f} {:>8.3f} {:>9.2f} {:>7.3f} {:>6} {:>7.2f}  {}\n",
-             inMillimeters(trial.cameraRms), inMillimeters(trial.pointRms),
-             inPercent(trial.scaleError), inMilliseconds(trial.offsetError), trial.medianPx,
-             trial.views, trial.solveSeconds, trial.passed ? "yes" : "no");
+             inMillimeters(trial.cameraPositionRms), inMillimeters(trial.ballPositionRms),
+             inPercent(trial.scaleError), inMilliseconds(trial.clockOffsetError),
+             trial.medianReprojectionErrorPx, trial.viewCount, trial.solveSeconds,
+             trial.hasPassed ? "yes" : "no");
   std::fflush(stdout);
 }
 
@@ -104,30 +105,30 @@ int studyWands(std::uint64_t first, int seeds, const WandRecording& recording) {
   fmt::print("{:>6} {:<33} {:>9} {:>8} {:>8} {:>9} {:>7} {:>6} {:>7}  within the limit\n", "seed",
              "case", "camera mm", "point mm", "scale %", "offset ms", "px", "views", "solve s");
   std::map<WandCase, std::vector<WandTrial>> all;
-  for (int k = 0; k < seeds && !interruptionRequested(); ++k) {
+  for (int k = 0; k < seeds && !wasInterruptionRequested(); ++k) {
     studyWand(first + static_cast<std::uint64_t>(k), recording, [&](const WandTrial& trial) {
       printTrial(trial);
       all[trial.kind].push_back(trial);
-      return !interruptionRequested();
+      return !wasInterruptionRequested();
     });
   }
   for (const auto& [kind, trials] : all) {
     WandTrial worst;
     for (const WandTrial& trial : trials) {
-      worst.cameraRms = std::max(worst.cameraRms, trial.cameraRms);
-      worst.pointRms = std::max(worst.pointRms, trial.pointRms);
-      worst.offsetError = std::max(worst.offsetError, trial.offsetError);
+      worst.cameraPositionRms = std::max(worst.cameraPositionRms, trial.cameraPositionRms);
+      worst.ballPositionRms = std::max(worst.ballPositionRms, trial.ballPositionRms);
+      worst.clockOffsetError = std::max(worst.clockOffsetError, trial.clockOffsetError);
       worst.solveSeconds = std::max(worst.solveSeconds, trial.solveSeconds);
     }
     fmt::print("{}: {} of {} within {:.1f} mm; worst {:.2f} mm cameras, {:.2f} mm points, "
                "{:.2f} ms, {:.1f} s\n",
-               wandCaseName(kind), std::ranges::count(trials, true, &WandTrial::passed),
-               trials.size(), inMillimeters(wandRmsLimit(kind)), inMillimeters(worst.cameraRms),
-               inMillimeters(worst.pointRms), inMilliseconds(worst.offsetError),
-               worst.solveSeconds);
+               wandCaseName(kind), std::ranges::count(trials, true, &WandTrial::hasPassed),
+               trials.size(), inMillimeters(wandRmsLimit(kind)),
+               inMillimeters(worst.cameraPositionRms), inMillimeters(worst.ballPositionRms),
+               inMilliseconds(worst.clockOffsetError), worst.solveSeconds);
   }
   fmt::print("Seeds {}.\n", describeSeeds(first, seeds));
-  return interruptionRequested() ? kExitInterrupted : kExitDone;
+  return wasInterruptionRequested() ? kExitInterrupted : kExitDone;
 }
 
 void addWandStudy(CLI::App& group, int& exitCode) {

@@ -19,10 +19,10 @@ namespace {
 int makeFigure(const FigureExperiment& experiment, ExperimentOptions options) {
   catchInterruption();
   Progress bar(std::string(experiment.name), 100);
-  options.runs = options.runs > 0 ? options.runs : experiment.runs;
+  options.runCount = options.runCount > 0 ? options.runCount : experiment.runCount;
   options.progress = [&](double part) {
     bar.show(static_cast<std::int64_t>(inPercent(part)));
-    return !interruptionRequested();
+    return !wasInterruptionRequested();
   };
   const auto made = experiment.run(options);
   bar.finish();
@@ -30,7 +30,7 @@ int makeFigure(const FigureExperiment& experiment, ExperimentOptions options) {
     return made.error().code == ErrorCode::Canceled ? static_cast<int>(kExitInterrupted)
                                                     : reportError(made.error());
   }
-  fmt::print("{}\n", (options.folder / "report.html").string());
+  fmt::print("{}\n", (options.outputFolder / "report.html").string());
   return kExitDone;
 }
 
@@ -43,10 +43,10 @@ void addFigureCommands(CLI::App& group, int& exitCode) {
     auto options = std::make_shared<ExperimentOptions>();
     command
         ->add_option_function<std::string>(
-            "--out", [options](const std::string& folder) { options->folder = folder; },
+            "--out", [options](const std::string& folder) { options->outputFolder = folder; },
             "Folder for report.html, its pictures and numbers; created if it does not exist")
         ->required();
-    command->add_option("--runs", options->runs, "Seeds per case")->check(CLI::Range(1, 10000));
+    command->add_option("--runs", options->runCount, "Seeds per case")->check(CLI::Range(1, 10000));
     command->add_option("--seed", options->firstSeed, "The first seed")->capture_default_str();
     command->callback(
         [&experiment, options, &exitCode] { exitCode = makeFigure(experiment, *options); });

@@ -92,7 +92,7 @@ int studyScenario(const StudyOptions& options) {
   const auto trials =
       studyPeopleSeries(*setup, clothes, options.seeds, [&](std::int64_t done, std::int64_t) {
         progress.show(done);
-        return !interruptionRequested();
+        return !wasInterruptionRequested();
       });
   progress.finish();
   if (!trials) {
@@ -109,7 +109,7 @@ int studyScenario(const StudyOptions& options) {
       return reportError(written.error());
     }
   }
-  return interruptionRequested() ? kExitInterrupted : kExitDone;
+  return wasInterruptionRequested() ? kExitInterrupted : kExitDone;
 }
 
 } // namespace

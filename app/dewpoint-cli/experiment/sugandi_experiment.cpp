@@ -45,7 +45,7 @@ int studySugandi(const SugandiOptions& options) {
   catchInterruption();
   const auto measured = [](const BoxStudyRow& row) {
     fmt::print(stderr, "{}: {}\n", row.clip, row.method);
-    return !interruptionRequested();
+    return !wasInterruptionRequested();
   };
   auto study = studyBoxes(clips, options.seeds, measured, options.first);
   if (!study) {
@@ -55,7 +55,7 @@ int studySugandi(const SugandiOptions& options) {
     const auto followed = [](const BoxPerturbationRow& row) {
       fmt::print(stderr, "{}: {}, first box of {:.1f} times the size\n", row.clip, row.method,
                  row.scale);
-      return !interruptionRequested();
+      return !wasInterruptionRequested();
     };
     auto rows =
         studyPerturbedBoxes(clips, options.seeds, followed, perturbationMethods(), options.first);

@@ -47,16 +47,16 @@ struct SuiteCatalog {
 SuiteCatalog catalogOf(const SuiteOptions& options) {
   SuiteCatalog catalog;
   catalog.scenarios = scenarioCatalog();
-  auto real = realScenarios(options.clips, clipCatalog());
+  auto real = makeRealScenarios(options.clips, clipCatalog());
   std::ranges::move(real.scenarios, std::back_inserter(catalog.scenarios));
-  catalog.skipped = std::move(real.skipped);
+  catalog.skipped = std::move(real.skippedClips);
   return catalog;
 }
 
 int listSuite(const SuiteOptions& options) {
   const SuiteCatalog catalog = catalogOf(options);
   for (const ScenarioDeclaration& scenario : catalog.scenarios) {
-    fmt::print("{:<4} {:<28} {:>5} seeds  {}\n", scenario.family, scenario.name, scenario.seeds,
+    fmt::print("{:<4} {:<28} {:>5} seeds  {}\n", scenario.family, scenario.name, scenario.seedCount,
                scenario.description);
   }
   for (const SkippedClip& clip : catalog.skipped) {
@@ -137,7 +137,7 @@ Result<SuiteRequest> requestOf(const SuiteOptions& options, const SuiteCatalog& 
   request.scenarios = *scenarios;
   request.methods = *methods;
   request.grades = gradesOf(options);
-  request.seeds = options.seeds;
+  request.seedCount = options.seeds;
   request.firstSeed = options.firstSeed;
   return request;
 }
@@ -156,7 +156,7 @@ Status runJobs(const std::vector<SuiteJob>& jobs, int threads, SuiteStore& store
     return store.append(run);
   };
   auto status = runSuite(
-      jobs, threads, sink, [] { return interruptionRequested(); }, skip);
+      jobs, threads, sink, [] { return wasInterruptionRequested(); }, skip);
   progress.finish();
   return status;
 }
@@ -167,7 +167,7 @@ Status writeReport(SuiteStore& store, const std::string& folder, const SuiteCata
   const auto order = reportOrder(store.results(), catalog.scenarios);
   return store.rewrite(order).and_then([&] {
     return writeSuiteReport(folder, store.results(), order, catalog.scenarios, notes,
-                            store.skipped());
+                            store.skippedRuns());
   });
 }
 
@@ -192,20 +192,20 @@ std::vector<std::string> skippedOf(const SuiteResults& results, const SuiteCatal
 /// one run could be made is an error, unless the folder is a part of a suite.
 int conclude(const SuiteStore& store, const std::string& folder, bool isPart) {
   fmt::print("{} runs in {}; see report.html there.\n", store.results().size(), folder);
-  for (const SkippedRun& run : store.skipped()) {
+  for (const SkippedRun& run : store.skippedRuns()) {
     fmt::print(stderr, "dewpoint-cli: {}\n", skippedRunDescription(run));
   }
-  if (!store.skipped().empty()) {
+  if (!store.skippedRuns().empty()) {
     fmt::print(
         stderr,
         "dewpoint-cli: Skipped runs: {}. The results do not contain them; see skipped.csv.\n",
-        store.skipped().size());
+        store.skippedRuns().size());
   }
   std::set<RunKey> done;
   for (const auto& [key, result] : store.results()) {
     done.insert(key);
   }
-  const auto nothing = scenariosWithoutRuns(store.skipped(), done);
+  const auto nothing = scenariosWithoutRuns(store.skippedRuns(), done);
   for (const ScenarioGrade& scenario : nothing) {
     fmt::print(stderr, "dewpoint-cli: {}, grade {}: every run was skipped; nothing was measured.\n",
                scenario.scenario, gradeName(scenario.grade));
@@ -259,7 +259,7 @@ int runSuiteCommand(const SuiteOptions& options) {
     return reportError(store.error());
   }
   catchInterruption();
-  const auto jobs = planSuite(*request, store->results(), store->skipped());
+  const auto jobs = planSuite(*request, store->results(), store->skippedRuns());
   const auto run = runJobs(jobs, options.threads, *store);
   const auto written = writeReport(*store, options.folder, catalog, skipped);
   if (!run) {
@@ -268,7 +268,7 @@ int runSuiteCommand(const SuiteOptions& options) {
   if (!written) {
     return reportError(written.error());
   }
-  const std::int64_t left = runCount(planSuite(*request, store->results(), store->skipped()));
+  const std::int64_t left = runCount(planSuite(*request, store->results(), store->skippedRuns()));
   if (left > 0) {
     fmt::print("{} runs in {}; see report.html there.\n", store->results().size(), options.folder);
     fmt::print(

@@ -43,10 +43,10 @@ struct LockOptions {
 int printDevices(const ListOptions& options) {
   const DeviceAccessPtr access = systemDevices();
   std::vector<ListedDevice> devices;
-  for (CameraDevice& device : access->list()) {
+  for (CameraDevice& device : access->listDevices()) {
     ListedDevice& listed = devices.emplace_back();
     if (options.controls && device.problem.empty()) {
-      auto controls = access->controls(device.path);
+      auto controls = access->readControls(device.path);
       if (!controls) {
         return reportError(controls.error());
       }
@@ -116,14 +116,14 @@ Result<std::vector<std::string>> devicePaths(Project& project, const std::string
   std::vector<std::string> paths;
   for (const std::size_t k : cameras) {
     const ProjectCamera& camera = project.cameras[k];
-    if (!matches[k].device) {
+    if (!matches[k].deviceIndex) {
       const bool isKnown = !camera.device.identity.isEmpty();
       return failure(ErrorCode::DeviceUnavailable, file,
                      fmt::format("camera '{}'", camera.camera.name),
                      isKnown ? mismatchReason(matches[k], camera.device.identity, devices)
                              : "no camera is connected at " + camera.location);
     }
-    paths.push_back(devices[*matches[k].device].path);
+    paths.push_back(devices[*matches[k].deviceIndex].path);
   }
   return paths;
 }
@@ -143,7 +143,7 @@ runningCameras(const Project& project, const std::vector<std::size_t>& cameras, 
     return source;
   }
   const auto end = LockClock::now() + std::chrono::duration<double>(seconds);
-  while (LockClock::now() < end && !interruptionRequested()) {
+  while (LockClock::now() < end && !wasInterruptionRequested()) {
     if (const auto next = (*source)->next(); !next) {
       return tl::make_unexpected(next.error());
     }
@@ -164,7 +164,7 @@ bool printLock(const std::string& camera, const ColorLock& lock) {
   }
   for (const ColorLock::Refusal& refusal : lock.refusals) {
     fmt::print(stderr, "dewpoint-cli: camera '{}': the automatic {} is not locked: {}: {}.\n",
-               camera, automaticName(refusal.automatic), refusal.control, refusal.reason);
+               camera, automaticName(refusal.adjustment), refusal.controlName, refusal.reason);
   }
   for (const ColorAutomatic automatic : lock.missingControls) {
     fmt::print(stderr, "dewpoint-cli: note: camera '{}' has no control for its {}.\n", camera,
@@ -183,7 +183,7 @@ int lockCameras(const LockOptions& options) {
     return reportError(cameras.error());
   }
   const DeviceAccessPtr access = systemDevices();
-  const auto paths = devicePaths(*project, options.project, *cameras, access->list());
+  const auto paths = devicePaths(*project, options.project, *cameras, access->listDevices());
   if (!paths) {
     return reportError(paths.error());
   }
@@ -195,7 +195,7 @@ int lockCameras(const LockOptions& options) {
   if (!running) {
     return reportError(running.error());
   }
-  if (interruptionRequested()) {
+  if (wasInterruptionRequested()) {
     return kExitInterrupted;
   }
   bool isComplete = true;

@@ -85,7 +85,7 @@ bool allEnded(const Feeds& feeds) {
 /// Reads images, which nobody uses, until `done`.
 template <class Done>
 Status watchCameras(FrameSetSource& source, NoticePrinter& notices, Done done) {
-  while (!done() && !interruptionRequested()) {
+  while (!done() && !wasInterruptionRequested()) {
     if (auto next = source.next(); !next) {
       return tl::make_unexpected(next.error());
     }
@@ -101,25 +101,26 @@ bool isBroken(const TakeStatus& take) {
   };
   return std::ranges::any_of(take.cameras, broken) &&
          std::ranges::all_of(take.cameras, [&](const TakeStatus::CameraStatus& camera) {
-           return broken(camera) || camera.counts.images == 0;
+           return broken(camera) || camera.counts.imageCount == 0;
          });
 }
 
 /// Prints what each camera has recorded; returns whether all of them have.
 bool printTake(const TakeStatus& take) {
   bool complete = true;
-  fmt::print("Take {}: {:.1f} s in {}\n", take.number, take.durationSeconds, take.folder.string());
+  fmt::print("Take {}: {:.1f} s in {}\n", take.takeNumber, take.durationSeconds,
+             take.folder.string());
   for (const TakeStatus::CameraStatus& camera : take.cameras) {
     const RecordedCounts& counts = camera.counts;
-    if (counts.images == 0) {
+    if (counts.imageCount == 0) {
       fmt::print("{}: no images\n", camera.name);
       fmt::print(stderr, "dewpoint-cli: camera '{}' sent no images.\n", camera.name);
       complete = false;
       continue;
     }
     fmt::print("{}: {} images, {} dropped, {:.2f} per second, {:.1f} MB, times by {}\n",
-               camera.name, counts.images, counts.droppedImageCount, counts.framesPerSecond,
-               static_cast<double>(counts.bytes) / kMegabyte, timeOriginName(counts.origin));
+               camera.name, counts.imageCount, counts.droppedImageCount, counts.framesPerSecond,
+               static_cast<double>(counts.byteCount) / kMegabyte, timeOriginName(counts.origin));
   }
   return complete;
 }
@@ -144,7 +145,7 @@ Status awaitCameras(Project& project, FrameSetSource& source, NoticePrinter& not
   std::vector<bool> seen(project.cameras.size());
   const auto deadline = RecordClock::now() + kCameraPatience;
   while (!std::ranges::all_of(seen, std::identity()) && RecordClock::now() < deadline &&
-         !interruptionRequested()) {
+         !wasInterruptionRequested()) {
     const auto set = source.next();
     if (!set) {
       return tl::make_unexpected(set.error());
@@ -168,8 +169,8 @@ openRemote(const RecordOptions& options, const Project& project, TakeTrigger& tr
     return nullptr;
   }
   OutputSettings settings;
-  settings.tcp = options.tcp;
-  settings.listen = options.listen.value_or(project.output.listen);
+  settings.tcpPort = options.tcp;
+  settings.listenAddress = options.listen.value_or(project.output.listenAddress);
   settings.token = project.output.token;
   if (!options.tokenFile.empty()) {
     auto token = readTokenFile(options.tokenFile);
@@ -219,8 +220,8 @@ void printPreRoll(const TakeStatus& take, double wanted) {
       fmt::print(stderr,
                  "dewpoint-cli: camera '{}': only {:.1f} s before the start were kept in {:.0f} MB "
                  "of memory.\n",
-                 camera.name, camera.preRoll.seconds,
-                 static_cast<double>(camera.preRoll.bytes) / kMegabyte);
+                 camera.name, camera.preRoll.spanSeconds,
+                 static_cast<double>(camera.preRoll.byteCount) / kMegabyte);
     }
   }
 }
@@ -263,8 +264,8 @@ int recordTake(const RecordOptions& options, Project project, FrameSetSource& so
     }
     if (!*started) {
       const bool isInputOver = trigger.hasInputEnded() && !isRemote;
-      return interruptionRequested() ? kExitInterrupted
-                                     : reportNotStarted(options.project, isInputOver);
+      return wasInterruptionRequested() ? kExitInterrupted
+                                        : reportNotStarted(options.project, isInputOver);
     }
   }
   auto take =

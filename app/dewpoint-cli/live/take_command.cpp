@@ -32,7 +32,7 @@ int checkTake(const TakeCheckOptions& options) {
                                             progress.emplace("frames", total);
                                           }
                                           progress->show(done);
-                                          return !interruptionRequested();
+                                          return !wasInterruptionRequested();
                                         });
   if (progress) {
     progress->finish();
@@ -43,7 +43,7 @@ int checkTake(const TakeCheckOptions& options) {
   for (const std::string& line : describeReplay(*comparison)) {
     fmt::print("{}\n", line);
   }
-  return comparison->isSame() ? kExitDone : kExitProblems;
+  return comparison->isBitIdentical() ? kExitDone : kExitProblems;
 }
 
 } // namespace

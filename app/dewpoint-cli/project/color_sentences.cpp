@@ -28,7 +28,7 @@ std::string partOfImage(const DistractorRegion& region) {
       {"at the top left", "at the top", "at the top right"},
       {"at the left", "in the center", "at the right"},
       {"at the bottom left", "at the bottom", "at the bottom right"}};
-  return kParts[static_cast<int>(region.vertical)][static_cast<int>(region.horizontal)];
+  return kParts[static_cast<int>(region.verticalThird)][static_cast<int>(region.horizontalThird)];
 }
 
 const char* advice(ColorSuggestion suggestion) {
@@ -84,7 +84,7 @@ std::vector<std::string> describeAssessment(const ColorAssessment& assessment,
                     "background.",
                     inPercent(*assessment.backgroundShareOfFullRange)));
   }
-  if (assessment.sampleLeftOut) {
+  if (assessment.isSampleLeftOut) {
     sentences.emplace_back("One sample hardly matches the learned color: the sample resembles its "
                            "surroundings or shows another object.");
   }

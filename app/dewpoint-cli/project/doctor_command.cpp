@@ -20,7 +20,7 @@ namespace {
 struct DoctorOptions {
   std::string project;
   std::string out;
-  bool everyFrame = false;
+  bool decodesEveryFrame = false;
   bool asJson = false;
 };
 
@@ -35,17 +35,17 @@ Result<std::unique_ptr<FrameSetSource>> openAsARunDoes(const Project& project) {
 std::vector<Finding> findingsOf(const DoctorOptions& options) {
   auto project = resolveProject(options.project);
   if (!project) {
-    return examineUnreadable(options.project, project.error());
+    return examineUnreadableProject(options.project, project.error());
   }
   constexpr int kParts = 100;
   Progress progress("checking", kParts);
   ExaminationOptions examination;
-  examination.output = options.out;
-  examination.everyFrame = options.everyFrame;
+  examination.outputFolder = options.out;
+  examination.decodesEveryFrame = options.decodesEveryFrame;
   examination.open = &openAsARunDoes;
   examination.shouldContinue = [&](double part) {
     progress.show(static_cast<std::int64_t>(kParts * part));
-    return !interruptionRequested();
+    return !wasInterruptionRequested();
   };
   auto findings = examine(*project, examination);
   progress.finish();
@@ -58,10 +58,10 @@ void printJson(const std::vector<Finding>& findings) {
     const FindingTexts& words = textsOf(finding.kind);
     list.push_back({{"level", levelName(words.level)},
                     {"check", std::string(words.name)},
-                    {"what", fillPlaceholders(words.sentence, finding.values)},
+                    {"what", fillPlaceholders(words.description, finding.placeholderValues)},
                     {"file", finding.file},
                     {"field", finding.field},
-                    {"advice", fillPlaceholders(words.advice, finding.values)}});
+                    {"advice", fillPlaceholders(words.advice, finding.placeholderValues)}});
   }
   const nlohmann::ordered_json root{{"level", levelName(worstLevelOf(findings))},
                                     {"findings", list}};
@@ -71,7 +71,7 @@ void printJson(const std::vector<Finding>& findings) {
 int examineAndPrint(const DoctorOptions& options) {
   catchInterruption();
   const std::vector<Finding> findings = findingsOf(options);
-  if (interruptionRequested()) {
+  if (wasInterruptionRequested()) {
     return kExitInterrupted;
   }
   if (options.asJson) {
@@ -94,7 +94,7 @@ void addDoctorCommand(CLI::App& app, int& exitCode) {
       ->required();
   command->add_option("--out", options->out,
                       "Folder for the results; the folder of the project if omitted");
-  command->add_flag("--every-frame", options->everyFrame,
+  command->add_flag("--every-frame", options->decodesEveryFrame,
                     "Read all frames, instead of only the first, middle and last frame");
   command->add_flag("--json", options->asJson, "Print JSON instead of lines");
   command->footer("Exit codes: 0 no problem, 1 at least one problem.");

@@ -54,7 +54,7 @@ Result<std::vector<ColorSample>> markedSamplesOf(const LearnColorOptions& option
       if (!marked) {
         return Status(tl::make_unexpected(marked.error()));
       }
-      marked->excluded = excluded;
+      marked->isExcluded = excluded;
       markedSamples.push_back(*marked);
     }
     return Status();
@@ -73,7 +73,7 @@ Status writeMask(const std::string& file, const cv::Mat& image, const ColorRange
 /// Where the other cameras were found to show the target.
 void printFound(const std::vector<ColorSample>& samples, const Project& project) {
   for (const ColorSample& sample : samples) {
-    if (sample.found) {
+    if (sample.isFoundByGeometry) {
       const auto camera = static_cast<std::size_t>(sample.camera);
       fmt::print("Found in {} at {:.0f},{:.0f}.\n",
                  geometry::nameOrNumber(project.cameras[camera].camera, camera), sample.x,
@@ -88,7 +88,7 @@ void printLearned(const Target& target, const setup::ClickLearningResult& lesson
   for (const ProjectCamera& camera : project.cameras) {
     cameras.push_back(camera.camera.name);
   }
-  fmt::print("{}: the sample has {} pixels.\n", target.name, target.samples.front().area);
+  fmt::print("{}: the sample has {} pixels.\n", target.name, target.samples.front().areaPx);
   printFound(target.samples, project);
   for (const ColorRange& range : lesson.color.ranges()) {
     fmt::print("{}\n", describeRange(range));
@@ -129,7 +129,7 @@ Status keep(const LearnColorOptions& options, setup::FootageLearningResult& taug
     addAllAlike(taught);
   }
   const auto drawn = options.mask.empty() ? Status()
-                                          : writeMask(options.mask, taught.image,
+                                          : writeMask(options.mask, taught.clickedImage,
                                                       taught.learningResult.color.ranges());
   return !drawn || options.out.empty() ? drawn : saveProject(taught.project, options.out);
 }

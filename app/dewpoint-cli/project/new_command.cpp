@@ -46,7 +46,7 @@ NewCamera cameraFrom(const std::string& text) {
   NewCamera camera;
   camera.name = named ? text.substr(0, equals) : "";
   camera.location = named ? text.substr(equals + 1) : text;
-  camera.source = guessSourceKind(camera.location);
+  camera.sourceKind = guessSourceKind(camera.location);
   return camera;
 }
 
@@ -62,7 +62,7 @@ Status addBackgroundImages(const std::vector<std::string>& texts, Project& proje
       return failure(ErrorCode::BadValue, "", "--empty-room",
                      "'" + text + "' does not begin with the name of a camera and '='");
     }
-    camera->backgroundImage =
+    camera->backgroundImageFile =
         std::filesystem::absolute(text.substr(equals + 1)).lexically_normal().string();
   }
   return loadBackgroundImages(project).map([](const auto&) {});
@@ -121,7 +121,7 @@ int makeNew(NewOptions& options) {
     options.project.cameras.push_back(std::move(camera));
   }
   if (!options.calibration.empty()) {
-    options.project.calibration = options.calibration;
+    options.project.calibrationFile = options.calibration;
   }
   auto names = parseCameraRenaming(options.names);
   if (!names) {
@@ -133,13 +133,13 @@ int makeNew(NewOptions& options) {
   if (!made) {
     return reportError(made.error());
   }
-  identifyDevices(made->project, systemDevices()->list());
+  identifyDevices(made->project, systemDevices()->listDevices());
   if (const auto added = addBackgroundImages(options.backgroundImages, made->project); !added) {
     return reportError(added.error());
   }
   if (!options.times.empty()) {
     for (ProjectCamera& camera : made->project.cameras) {
-      camera.times = std::filesystem::absolute(options.times).lexically_normal().string();
+      camera.captureTimeFile = std::filesystem::absolute(options.times).lexically_normal().string();
     }
     if (const auto opened = openInputs(made->project); !opened) { // what is wrong is said now
       return reportError(opened.error());
@@ -156,14 +156,14 @@ int makeNew(NewOptions& options) {
     fmt::print(stderr,
                "dewpoint-cli: note: without --calibration, the camera positions are guesses.\n");
   }
-  if (made->wasMatchedByOrder) {
+  if (made->wereCamerasMatchedByOrder) {
     fmt::print(stderr, "dewpoint-cli: note: the calibration uses other camera names; the cameras "
                        "were matched by order.\n");
   }
   for (const std::string& decision : made->decisions) {
     fmt::print(stderr, "dewpoint-cli: note: {}\n", decision);
   }
-  for (const CameraDisagreement& fault : made->faults) {
+  for (const CameraDisagreement& fault : made->likelyMistakes) {
     fmt::print(stderr, "dewpoint-cli: note: {}.\n",
                describeDisagreement(fault, rigOf(made->project)));
   }

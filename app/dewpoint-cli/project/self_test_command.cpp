@@ -20,18 +20,18 @@ namespace {
 SelfTestInputs partsOfThisComputer() {
   SelfTestInputs parts;
   parts.openScene = [] { return openProject(SessionRequest("demo")); };
-  parts.cameras = connectedCameras();
+  parts.cameraNames = connectedCameras();
   std::error_code problem;
   parts.scratchFolder = std::filesystem::temp_directory_path(problem) /
                         fmt::format("dewpoint-self-test-{}", ::getpid());
-  parts.shouldContinue = [] { return !interruptionRequested(); };
+  parts.shouldContinue = [] { return !wasInterruptionRequested(); };
   return parts;
 }
 
 int testAndPrint(bool asJson) {
   catchInterruption();
   const std::vector<SelfTestLine> lines = runSelfTest(partsOfThisComputer());
-  if (interruptionRequested()) {
+  if (wasInterruptionRequested()) {
     return kExitInterrupted;
   }
   auto list = nlohmann::ordered_json::array();

@@ -19,12 +19,13 @@ const char* axesText(WorldAxes axes) {
 std::string exportTable() {
   std::vector<std::vector<std::string>> rows;
   for (const ExportFormat& format : exportFormats()) {
-    rows.push_back(
-        {markdownCode(format.id), markdownText(format.title), markdownCode(format.suffix),
-         markdownText(format.contents), axesText(format.tableDefaults.axes),
-         format.tableDefaults.unit == LengthUnit::Meter ? "m" : "mm",
-         format.tableDefaults.requiresEvenRows ? "at equal distances in time" : "as recorded",
-         format.hasFullCovariance ? "yes" : "no"});
+    rows.push_back({markdownCode(format.id), markdownText(format.title),
+                    markdownCode(format.suffix), markdownText(format.contentsSentence),
+                    axesText(format.tableDefaults.axes),
+                    format.tableDefaults.unit == LengthUnit::Meter ? "m" : "mm",
+                    format.tableDefaults.requiresEvenlySpacedRows ? "at equal distances in time"
+                                                                  : "as recorded",
+                    format.hasFullCovariance ? "yes" : "no"});
   }
   return markdownTable(
       {"format", "name in the window", "file", "holds", "axes", "unit", "rows", "whole covariance"},
@@ -32,7 +33,7 @@ std::string exportTable() {
 }
 
 std::string lensesText(const LensSupport& lenses) {
-  const int count = lenses.pinholeCoefficients;
+  const int count = lenses.pinholeCoefficientCount;
   const std::string pinhole = count >= 8   ? "k1 k2 p1 p2 k3 k4 k5 k6"
                               : count >= 5 ? "k1 k2 p1 p2 k3"
                                            : "k1 k2 p1 p2";
@@ -44,7 +45,7 @@ std::string calibrationTable() {
   for (const CalibrationFormat& format : calibrationFormats()) {
     const bool isPerCamera = format.layout == FileLayout::FilePerCamera;
     rows.push_back({markdownCode(format.name), markdownText(format.title),
-                    markdownText(format.contents), lensesText(format.lenses),
+                    markdownText(format.description), lensesText(format.lensSupport),
                     isPerCamera ? "a file for each camera" : "all cameras together",
                     format.write == nullptr ? "read" : "read, written"});
   }

@@ -13,7 +13,7 @@ namespace {
 
 std::string defaultText(const ParameterDeclaration& declaration) {
   const std::string text = fmt::format("{:g}", declaration.defaultValue);
-  return declaration.derivedFromCameras ? text + ", or from the cameras" : text;
+  return declaration.isDerivedFromCameras ? text + ", or from the cameras" : text;
 }
 
 std::string meaningText(const ParameterDeclaration& declaration) {
@@ -42,12 +42,12 @@ std::string methodSection(const Method& method) {
   const std::string origin = method.text.paper.empty()
                                  ? "Dewpoint's own method."
                                  : fmt::format("Reproduces {}.", markdownText(method.text.paper));
-  const int cameras = method.family.minCameras;
+  const int cameras = method.family.minCameraCount;
   const std::string needs =
       fmt::format("Needs at least {} camera{}{}.", cameras, cameras == 1 ? "" : "s",
                   method.family.needsCalibration ? ", calibrated" : "; no calibration");
   return fmt::format("### {}\n\n**{}.** {} {} {}\n\n{}\n", method.name,
-                     markdownText(method.text.title), markdownText(method.text.sentence), origin,
+                     markdownText(method.text.title), markdownText(method.text.summary), origin,
                      needs, parameterTable(method));
 }
 

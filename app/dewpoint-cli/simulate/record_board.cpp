@@ -106,7 +106,7 @@ std::vector<Isometry3d> shownPositions(const BoardDescription& board, const Came
 Status writeBoardVideo(const BoardDescription& board, const Camera& camera,
                        const std::vector<Isometry3d>& positions, std::int64_t frames,
                        const std::string& file) {
-  auto writer = FrameWriter::video(file, kBoardFramesPerSecond);
+  auto writer = FrameWriter::createVideo(file, kBoardFramesPerSecond);
   if (!writer) {
     return tl::make_unexpected(writer.error());
   }

@@ -19,7 +19,7 @@ namespace {
 Status writeVideo(const OfficeRenderer& renderer, std::size_t camera, const std::string& file,
                   Progress& progress) {
   const OfficeScene& scene = renderer.scene();
-  auto writer = FrameWriter::video(file, scene.framesPerSecond);
+  auto writer = FrameWriter::createVideo(file, scene.framesPerSecond);
   if (!writer) {
     return tl::make_unexpected(writer.error());
   }
@@ -33,7 +33,7 @@ Status writeVideo(const OfficeRenderer& renderer, std::size_t camera, const std:
 }
 
 Status writeRoom(const OfficeRenderer& renderer, std::size_t camera, const std::string& folder) {
-  auto writer = FrameWriter::images(folder);
+  auto writer = FrameWriter::createImageFolder(folder);
   if (!writer) {
     return tl::make_unexpected(writer.error());
   }
@@ -59,7 +59,7 @@ int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
   project.name = "people in the office";
   project.scene.clear(); // its cameras are recordings from here on
   project.cameras.clear();
-  project.truth = whole / "truth.csv";
+  project.truthFile = whole / "truth.csv";
   Progress progress("rendering",
                     scene.frameCount * static_cast<std::int64_t>(scene.cameras.size()));
   for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
@@ -67,9 +67,9 @@ int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
     camera.camera = scene.cameras[k];
     camera.source = SourceKind::Video;
     camera.location = (whole / fmt::format("camera-{}.mkv", k + 1)).string();
-    camera.backgroundImage = (whole / fmt::format("empty-{}", k + 1)).string();
+    camera.backgroundImageFile = (whole / fmt::format("empty-{}", k + 1)).string();
     for (const auto& written : {writeVideo(renderer, k, camera.location, progress),
-                                writeRoom(renderer, k, camera.backgroundImage)}) {
+                                writeRoom(renderer, k, camera.backgroundImageFile)}) {
       if (!written) {
         progress.finish();
         return reportError(written.error());

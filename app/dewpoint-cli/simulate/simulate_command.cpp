@@ -42,7 +42,7 @@ const std::map<std::string, Motion> kMotions{{"still", Motion::Still},
                                              {"jump", Motion::Jump}};
 
 Result<Scene> chosenScene(const SimulateOptions& options) {
-  auto scene = sceneNamed(options.scene);
+  auto scene = loadScene(options.scene);
   if (!scene) {
     return scene;
   }
@@ -69,8 +69,8 @@ Status writeCamera(const SceneRenderer& renderer, int index, const SimulateOptio
   const auto path = folder / (options.images ? name : name + ".mkv");
   camera.location = std::filesystem::absolute(path).string();
   camera.source = options.images ? SourceKind::Images : SourceKind::Video;
-  auto writer = options.images ? FrameWriter::images(path.string())
-                               : FrameWriter::video(path.string(), scene.framesPerSecond);
+  auto writer = options.images ? FrameWriter::createImageFolder(path.string())
+                               : FrameWriter::createVideo(path.string(), scene.framesPerSecond);
   if (!writer) {
     return tl::make_unexpected(writer.error());
   }
@@ -124,7 +124,7 @@ int simulate(const SimulateOptions& options) {
     return reportError({ErrorCode::FileUnwritable, folder.string(), "--out", problem.message()});
   }
   Project project = makeSceneProject(*scene, "");
-  project.truth = std::filesystem::absolute(folder / "truth.csv");
+  project.truthFile = std::filesystem::absolute(folder / "truth.csv");
   const SceneRenderer renderer(*scene);
   Progress progress("rendering",
                     scene->frameCount * static_cast<std::int64_t>(scene->cameras.size()));

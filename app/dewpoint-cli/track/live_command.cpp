@@ -48,15 +48,15 @@ Status setOutput(LiveOptions& options, const Project& project) {
   LiveJob& job = options.job;
   OutputSettings& output = job.output = project.output;
   job.projectFile = project.file;
-  replace(job, "osc", options.osc, output.osc);
-  replace(job, "tuio", options.tuio, output.tuio);
-  replace(job, "tcp", options.tcp, output.tcp);
-  replace(job, "websocket", options.websocket, output.websocket);
-  replace(job, "csv", options.csv, output.csv);
-  replace(job, "listen", options.listen, output.listen);
-  replace(job, "rate", options.rate, output.rate);
+  replace(job, "osc", options.osc, output.oscReceiver);
+  replace(job, "tuio", options.tuio, output.tuioReceiver);
+  replace(job, "tcp", options.tcp, output.tcpPort);
+  replace(job, "websocket", options.websocket, output.webSocketPort);
+  replace(job, "csv", options.csv, output.csvFile);
+  replace(job, "listen", options.listen, output.listenAddress);
+  replace(job, "rate", options.rate, output.framesPerSecond);
   if (options.csv && *options.csv != "-") {
-    output.csv = std::filesystem::absolute(*options.csv).string();
+    output.csvFile = std::filesystem::absolute(*options.csv).string();
   }
   if (options.axes) {
     output.axes = *outputAxes(*options.axes);
@@ -94,7 +94,7 @@ int live(LiveOptions options) {
   if (const auto set = setOutput(options, *project); !set) {
     return reportError(set.error());
   }
-  if (!options.job.output.any() && !options.job.folder) {
+  if (!options.job.output.isAnyOn() && !options.job.folder) {
     reportError({ErrorCode::MissingKey, options.project, "output",
                  "name at least one of --osc, --tuio, --tcp, --websocket, --csv and --out"});
     return kExitUsage;
@@ -103,7 +103,7 @@ int live(LiveOptions options) {
   if (!inputs) {
     return reportError(inputs.error());
   }
-  inputs->threads = options.threads;
+  inputs->threadCount = options.threads;
   return options.job.run(std::move(*inputs));
 }
 
@@ -132,7 +132,7 @@ void addOutputOptions(CLI::App& command, LiveOptions& options) {
       .add_option("--rate", options.rate,
                   "Send at most this number of frames per second; 0: all frames (default: the "
                   "project's, or 30)")
-      ->check(CLI::Range(0.0, OutputSettings::kMaxRate));
+      ->check(CLI::Range(0.0, OutputSettings::kMaxFramesPerSecond));
   command.add_option("--token-file", options.tokenFile,
                      "Permit remote commands with the token in the first line of this file");
 }

@@ -90,15 +90,15 @@ public:
                              broadcast::stateWord(trackingState(target)));
     }
     int clients = 0;
-    std::int64_t dropped = broadcaster.droppedFrames();
+    std::int64_t dropped = broadcaster.droppedFrameCount();
     for (const broadcast::OutletReport& report : broadcaster.reports()) {
       clients += report.clientCount;
-      dropped += report.droppedPieces;
+      dropped += report.droppedPieceCount;
     }
     const char* state = snapshot.state == PlayState::Playing ? "" : "stopped, ";
     fmt::print(stderr, "\r\x1b[K{}frame {}, {:.1f} images/s, {}; {} clients, {} sent, {} dropped{}",
                state, snapshot.frame, snapshot.framesPerSecond, targets, clients,
-               broadcaster.sentFrames(), dropped, take.empty() ? "" : "; recording " + take);
+               broadcaster.sentFrameCount(), dropped, take.empty() ? "" : "; recording " + take);
     std::fflush(stderr);
     isShown_ = true;
   }
@@ -106,8 +106,8 @@ public:
   void showSummary(const TrackSnapshot& snapshot, const broadcast::Broadcaster& broadcaster) {
     clear();
     fmt::print(out_, "frames                  {:>10}\n", snapshot.frame + 1);
-    fmt::print(out_, "frames sent             {:>10}\n", broadcaster.sentFrames());
-    fmt::print(out_, "images dropped          {:>10}\n", snapshot.droppedFrames);
+    fmt::print(out_, "frames sent             {:>10}\n", broadcaster.sentFrameCount());
+    fmt::print(out_, "images dropped          {:>10}\n", snapshot.droppedFrameCount);
     fmt::print(out_, "latency p99             {:>7.1f} ms\n", inMilliseconds(snapshot.latency.p99));
     if (snapshot.liveLatency.total.longest > 0.0) {
       fmt::print(out_, "light to estimate p99   {:>7.1f} ms\n",
@@ -153,7 +153,7 @@ int LiveJob::run(SessionInputs inputs) const {
     }
   }
   const std::optional<WorldBox> volume = inputs.project.volumeOfInterest;
-  inputs.historyBytes = kHistoryBytes;
+  inputs.maxHistoryBytes = kHistoryBytes;
   Session session(std::move(inputs));
   std::optional<LiveRecorder> recorder;
   if (folder) {
@@ -171,17 +171,17 @@ int LiveJob::run(SessionInputs inputs) const {
     return reportError(withLocation(opened.error()));
   }
   const std::unique_ptr<broadcast::Broadcaster> broadcaster = std::move(*opened);
-  LiveConsole console(output.csv == "-");
+  LiveConsole console(output.csvFile == "-");
   console.showPlaces(*broadcaster);
 
   catchInterruption();
-  session.onSnapshot([&session, &broadcaster] { broadcaster->offer(session.newest()); });
+  session.onSnapshot([&session, &broadcaster] { broadcaster->enqueue(session.newest()); });
   session.play();
   const auto begin = LiveClock::now();
   auto nextStatus = begin + kStatusPeriod;
   Status done;
   bool hasPlayed = false;
-  while (!interruptionRequested() && done) {
+  while (!wasInterruptionRequested() && done) {
     std::this_thread::sleep_for(kTurn);
     const TrackSnapshotPtr now = session.newest();
     console.showNotices(*now);
@@ -210,7 +210,7 @@ int LiveJob::run(SessionInputs inputs) const {
   if (!done) {
     return reportError(done.error());
   }
-  return last->iterations > 0 ? kExitDone : kExitBadInput;
+  return last->iterationCount > 0 ? kExitDone : kExitBadInput;
 }
 
 } // namespace dewpoint::app

@@ -119,13 +119,13 @@ public:
   PeopleObserver(PeopleWriter& writer, Progress& progress, int overlayEvery)
       : writer_(writer), progress_(progress), overlayEvery_(overlayEvery) {}
 
-  Status tracked(const TrackingRun& run) override {
+  Status onFrameTracked(const TrackingRun& run) override {
     const auto* const finding = run.capability<PeopleFinding>();
     assert(finding != nullptr); // as the methods that may be chosen are
     const FrameSet& set = *run.frames();
     for (const PersonEstimate& person : finding->people()) {
       const TrajectorySample sample = sampleOf(person, set.index, 0.0);
-      found_[sample.target] += sample.valid ? 1 : 0;
+      found_[sample.target] += sample.isValid ? 1 : 0;
     }
     most_ = std::max(most_, static_cast<int>(finding->people().size()));
     if (const auto written = writer_.write(*finding, set.index, dewpoint::base::seconds(set.time));
@@ -204,7 +204,7 @@ int runPeople(const PeopleOptions& options) {
     reportError(added.error());
     return kExitUsage;
   }
-  const auto begun = JobFolder::begin(options.folder, kPeopleFiles);
+  const auto begun = JobFolder::beginJob(options.folder, kPeopleFiles);
   if (!begun) {
     return reportError(begun.error());
   }
@@ -214,7 +214,7 @@ int runPeople(const PeopleOptions& options) {
   }
   catchInterruption();
   FrameSetSource& source = *inputs->source;
-  Progress progress("people", frames->count(source).value_or(0));
+  Progress progress("people", frames->countIn(source).value_or(0));
   PeopleObserver observer(*writer, progress,
                           overlayEvery(options, *frames, source.frameCount().value_or(0)));
   TrackingClock clock;
@@ -222,7 +222,7 @@ int runPeople(const PeopleOptions& options) {
   const std::array<FrameObserver*, 3> observers{&notes, &clock, &observer};
   auto tracked = trackFrames(source, *frames, *run, observers, [&] {
     notes.printNotices();
-    return !interruptionRequested();
+    return !wasInterruptionRequested();
   });
   notes.printNotices();
   progress.finish();
@@ -243,7 +243,7 @@ int runPeople(const PeopleOptions& options) {
     const int code = reportError(tracked.error());
     return code == kExitBadInput && observer.frames() > 0 ? kExitEndedEarly : code;
   }
-  if (interruptionRequested()) {
+  if (wasInterruptionRequested()) {
     return kExitInterrupted;
   }
   job.frameCount = observer.frames();

@@ -26,9 +26,9 @@ void RunNotes::printNotices() {
   }
 }
 
-Status RunNotes::tracked(const TrackingRun& run) {
-  const auto watched =
-      motionObserver_.tracked(run).and_then([&] { return agreementWatch_.tracked(run); });
+Status RunNotes::onFrameTracked(const TrackingRun& run) {
+  const auto watched = motionObserver_.onFrameTracked(run).and_then(
+      [&] { return agreementWatch_.onFrameTracked(run); });
   if (!watched) {
     return watched;
   }

@@ -27,8 +27,8 @@ public:
 
   /// Prints new notices from the source. Call this while no frames arrive.
   void printNotices();
-  void taken(const FrameSet& /*frames*/) override { printNotices(); }
-  Status tracked(const TrackingRun& run) override;
+  void onFrameTaken(const FrameSet& /*frames*/) override { printNotices(); }
+  Status onFrameTracked(const TrackingRun& run) override;
 
   /// Returns all notes printed so far.
   const std::vector<std::string>& printedNotes() const { return printed_; }

@@ -69,7 +69,7 @@ int trackBackwardsIn(const TrackBackwardsOptions& options) {
       withBackwardCorrections(inputs->project, *inputs->source, inputs->backgroundImages,
                               options.threads, [&](double part) {
                                 progress.show(static_cast<std::int64_t>(part * kSteps));
-                                return !interruptionRequested();
+                                return !wasInterruptionRequested();
                               });
   progress.finish();
   if (!found) {

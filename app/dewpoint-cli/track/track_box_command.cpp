@@ -146,9 +146,9 @@ public:
       : options_(options), rate_(rate), progress_("tracking", frameCount) {}
 
   void begin(const ParameterValues& parameters);
-  void taken(const FrameSet& /*frames*/) override { taken_ = Clock::now(); }
-  void iterated(const TrackingRun& run, double microseconds) override;
-  Status tracked(const TrackingRun& run) override;
+  void onFrameTaken(const FrameSet& /*frames*/) override { taken_ = Clock::now(); }
+  void onIteration(const TrackingRun& run, double microseconds) override;
+  Status onFrameTracked(const TrackingRun& run) override;
   /// After the last frame; completes the video unless the frames have ended in an error.
   Status finish(const Status& frames);
 
@@ -184,13 +184,13 @@ void BoxObserver::begin(const ParameterValues& parameters) {
   }
 }
 
-void BoxObserver::iterated(const TrackingRun& /*run*/, double /*microseconds*/) {
+void BoxObserver::onIteration(const TrackingRun& /*run*/, double /*microseconds*/) {
   if (frames_ > 0) {
     seconds_ += std::chrono::duration<double>(Clock::now() - taken_).count();
   }
 }
 
-Status BoxObserver::tracked(const TrackingRun& run) {
+Status BoxObserver::onFrameTracked(const TrackingRun& run) {
   std::vector<BoxSample> samples = run.boxSamples();
   if (frames_ == 0) { // the boxes as they were given: no particle was weighted
     for (BoxSample& sample : samples) {
@@ -212,7 +212,7 @@ Status BoxObserver::finish(const Status& frames) {
 
 Status BoxObserver::draw(const Frame& frame, std::span<const BoxSample> samples) {
   if (!drawing_) {
-    auto writer = FrameWriter::video((options_.folder / "boxes.mkv").string(), rate_);
+    auto writer = FrameWriter::createVideo((options_.folder / "boxes.mkv").string(), rate_);
     if (!writer) {
       return tl::make_unexpected(writer.error());
     }
@@ -224,7 +224,7 @@ Status BoxObserver::draw(const Frame& frame, std::span<const BoxSample> samples)
     const cv::Rect outline(int(std::lround(box.x)), int(std::lround(box.y)),
                            int(std::lround(box.width)), int(std::lround(box.height)));
     const auto color = colorOf(std::size_t(sample.target - 1));
-    cv::rectangle(picture, outline, color, sample.estimate.visible ? 2 : 1);
+    cv::rectangle(picture, outline, color, sample.estimate.isVisible ? 2 : 1);
     const Eigen::Vector2d center = box.center();
     cv::drawMarker(picture, {int(center.x()), int(center.y())}, color, cv::MARKER_CROSS, 9);
   }
@@ -238,7 +238,7 @@ Status followBoxes(const TrackBoxOptions& options, const BoxRequest& request,
   if (const auto sought = source.seek(request.frames.first); !sought) {
     return sought;
   }
-  const bool any = request.frames.count(source).value_or(0) > 0;
+  const bool any = request.frames.countIn(source).value_or(0) > 0;
   const auto first = any ? source.next() : Result<FrameSetPtr>();
   if (!first) {
     return tl::make_unexpected(first.error());
@@ -259,7 +259,7 @@ Status followBoxes(const TrackBoxOptions& options, const BoxRequest& request,
   const std::array<FrameObserver*, 1> observers{&observer};
   const FrameRange others{request.frames.first + 1, request.frames.end};
   return observer.finish(trackOneFrame(*run, *first, observers).and_then([&] {
-    return trackFrames(source, others, *run, observers, [] { return !interruptionRequested(); });
+    return trackFrames(source, others, *run, observers, [] { return !wasInterruptionRequested(); });
   }));
 }
 
@@ -281,7 +281,7 @@ int trackBoxes(const TrackBoxOptions& options) {
   }
   catchInterruption();
   BoxObserver observer(options, (*source)->framesPerSecond(),
-                       request->frames.count(**source).value_or(0));
+                       request->frames.countIn(**source).value_or(0));
   const auto tracked = followBoxes(options, *request, **source, observer);
   if (observer.frames() > 0) {
     if (const auto written = writeBoxTrack(observer.track(), options.folder); !written) {
@@ -296,7 +296,7 @@ int trackBoxes(const TrackBoxOptions& options) {
   }
   fmt::print("frames                  {:>10}\nms per frame            {:>10.2f}\n",
              observer.frames(), observer.millisecondsPerFrame());
-  return interruptionRequested() ? kExitInterrupted : kExitDone;
+  return wasInterruptionRequested() ? kExitInterrupted : kExitDone;
 }
 
 } // namespace

@@ -113,7 +113,7 @@ int track(TrackOptions options) {
   const std::string& label =
       options.repeated.label.empty() ? options.project : options.repeated.label;
   auto planned = makeJobRecord("track", *project, label, options.frames,
-                               options.job.writesReasons ? "with reasons" : "");
+                               options.job.writesReasonsFile ? "with reasons" : "");
   if (isAlreadyDone(options.job.folder, planned, options.repeated)) {
     return kExitDone;
   }
@@ -145,7 +145,7 @@ void addTrackCommand(CLI::App& app, int& exitCode) {
   command->add_option("--frames", options->frames,
                       "Only frames A to B-1, as A:B (either may be empty)");
   command->add_option("--particles", options->particles, "Number of particles");
-  command->add_flag("--reasons", options->job.writesReasons,
+  command->add_flag("--reasons", options->job.writesReasonsFile,
                     "Also write reasons.csv: when and why targets were tracked or not");
   command->add_option(
       "--volume", options->volume,

@@ -78,10 +78,10 @@ struct TrackOutput {
   std::vector<JobTarget> targets() const {
     std::map<std::string, std::int64_t> valid;
     for (const TrajectorySample& sample : kept.samples) {
-      valid[sample.target] += sample.valid ? 1 : 0;
+      valid[sample.target] += sample.isValid ? 1 : 0;
     }
     for (const auto& sample : boxes.samples) {
-      valid[std::to_string(sample.target)] += sample.estimate.visible ? 1 : 0;
+      valid[std::to_string(sample.target)] += sample.estimate.isVisible ? 1 : 0;
     }
     std::vector<JobTarget> targets;
     targets.reserve(valid.size());
@@ -102,7 +102,7 @@ std::vector<std::string> resultFiles(const TrackJob& job, const TrackingRun& run
   if (!project.scene.empty()) {
     names.emplace_back("truth.csv");
   }
-  if (job.writesReasons) {
+  if (job.writesReasonsFile) {
     names.emplace_back("reasons.csv");
   }
   return names;
@@ -114,18 +114,18 @@ public:
   TrackObserver(Progress& progress, TrackOutput& output, RunStatistics& figures)
       : progress_(progress), output_(output), figures_(figures) {}
 
-  void taken(const FrameSet& /*frames*/) override { taken_ = Clock::now(); }
-  void iterated(const TrackingRun& /*run*/, double microseconds) override {
-    figures_.iterations.add(1e-6 * microseconds);
+  void onFrameTaken(const FrameSet& /*frames*/) override { taken_ = Clock::now(); }
+  void onIteration(const TrackingRun& /*run*/, double microseconds) override {
+    figures_.iterationDurations.add(1e-6 * microseconds);
     iterated_ = Clock::now();
   }
-  Status tracked(const TrackingRun& run) override {
+  Status onFrameTracked(const TrackingRun& run) override {
     const std::chrono::duration<double> took = std::max(taken_, iterated_) - taken_;
-    figures_.latency.add(took.count());
+    figures_.frameDurations.add(took.count());
     if (const auto written = output_.take(run); !written) {
       return written;
     }
-    progress_.show(++figures_.frames);
+    progress_.show(++figures_.frameCount);
     return {};
   }
 
@@ -142,12 +142,12 @@ private:
 /// Tracks the frames of a job; what stopped it, if it was not the end.
 Status trackJob(const TrackJob& job, FrameSetSource& source, TrackingRun& run, TrackOutput& output,
                 RunStatistics& figures) {
-  Progress progress("tracking", job.frames.count(source).value_or(0));
+  Progress progress("tracking", job.frames.countIn(source).value_or(0));
   RunNotes notes(source, run.rig());
   TrackObserver observer(progress, output, figures);
   const auto shouldContinue = [&] {
     notes.printNotices();
-    return !interruptionRequested();
+    return !wasInterruptionRequested();
   };
   const std::array<FrameObserver*, 2> observers{&notes, &observer};
   const Status tracked = trackFrames(source, job.frames, run, observers, shouldContinue);
@@ -177,10 +177,10 @@ std::vector<std::vector<std::string>> targetsAlike(const std::vector<Target>& ta
 void printClocks(const std::vector<ClockEstimate>& clocks, const CameraRig& rig) {
   for (std::size_t k = 1; k < clocks.size(); ++k) {
     const ClockEstimate& clock = clocks[k];
-    if (std::abs(clock.delay) > std::max(kNotableDelay, kNotableSigmas * clock.delaySigma)) {
+    if (std::abs(clock.delaySeconds) > std::max(kNotableDelay, kNotableSigmas * clock.delaySigma)) {
       fmt::print("images of {:<13} {:>7.1f} ms {} than those of {} (± {:.1f} ms, corrected)\n",
-                 rig[k].name, inMilliseconds(std::abs(clock.delay)),
-                 clock.delay > 0.0 ? "later" : "earlier", rig[0].name,
+                 rig[k].name, inMilliseconds(std::abs(clock.delaySeconds)),
+                 clock.delaySeconds > 0.0 ? "later" : "earlier", rig[0].name,
                  inMilliseconds(clock.delaySigma));
     }
   }
@@ -189,12 +189,13 @@ void printClocks(const std::vector<ClockEstimate>& clocks, const CameraRig& rig)
 void printSummary(const Trajectory& estimate, const Trajectory& truth, const CameraRig& rig,
                   const std::vector<Target>& targets, int iterationsPerFrame,
                   const RunStatistics& figures) {
-  fmt::print("frames                  {:>10}\n", figures.frames);
+  fmt::print("frames                  {:>10}\n", figures.frameCount);
   fmt::print("frames per second       {:>10.1f}\n",
-             static_cast<double>(figures.frames) / std::max(1e-9, figures.seconds));
-  fmt::print("us per iteration p50    {:>10.1f}\n", 1e6 * figures.iterations.quantile(0.5));
-  fmt::print("us per iteration p99    {:>10.1f}\n", 1e6 * figures.iterations.quantile(0.99));
-  printClocks(figures.clocks, rig);
+             static_cast<double>(figures.frameCount) / std::max(1e-9, figures.durationSeconds));
+  fmt::print("us per iteration p50    {:>10.1f}\n", 1e6 * figures.iterationDurations.quantile(0.5));
+  fmt::print("us per iteration p99    {:>10.1f}\n",
+             1e6 * figures.iterationDurations.quantile(0.99));
+  printClocks(figures.clockEstimates, rig);
   if (truth.samples.empty()) {
     return;
   }
@@ -207,9 +208,9 @@ void printSummary(const Trajectory& estimate, const Trajectory& truth, const Cam
       fmt::print("compared with           {:>10}, by position: they have the same color\n",
                  other->second);
     }
-    if (one.framesToConverge) {
+    if (one.convergenceFrameCount) {
       fmt::print("iterations to converge  {:>10}\n",
-                 (*one.framesToConverge + 1) * iterationsPerFrame);
+                 (*one.convergenceFrameCount + 1) * iterationsPerFrame);
       fmt::print("error RMSE              {:>7.1f} mm\n", inMillimeters(one.rmse));
       fmt::print("error p95               {:>7.1f} mm\n", inMillimeters(one.p95));
       fmt::print("frames lost             {:>10}\n", one.lostFrameCount);
@@ -230,7 +231,7 @@ int TrackJob::run(SessionInputs inputs) const {
   // The parameters in use stand in all that is written.
   inputs.project = run->definition()->appliedTo(std::move(inputs.project));
   const std::vector<std::string> results = resultFiles(*this, *run, inputs.project);
-  const auto begun = JobFolder::begin(folder, results);
+  const auto begun = JobFolder::beginJob(folder, results);
   if (!begun) {
     return reportError(begun.error());
   }
@@ -243,7 +244,7 @@ int TrackJob::run(SessionInputs inputs) const {
     }
     output.writer.emplace(std::move(*writer));
   }
-  if (writesReasons) {
+  if (writesReasonsFile) {
     output.reasons.emplace(rigOf(inputs.project));
   }
   catchInterruption();
@@ -256,7 +257,7 @@ int TrackJob::run(SessionInputs inputs) const {
   }
   RunStatistics figures;
   // Written now too: after a kill it says that the run did not finish.
-  figures.threads = threadCount;
+  figures.threadCount = threadCount;
   const auto reported = writeTextFile(folder / "run.json", runReport(inputs.project, figures));
   if (!reported) {
     return reportError(reported.error());
@@ -266,30 +267,30 @@ int TrackJob::run(SessionInputs inputs) const {
   if (const auto finished = output.finish(folder); !finished && tracked) {
     tracked = finished;
   }
-  figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  figures.finished = tracked.has_value() && !interruptionRequested();
+  figures.durationSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  figures.isFinished = tracked.has_value() && !wasInterruptionRequested();
   if (!tracked) {
     figures.notices.push_back(errorSentence(tracked.error()));
   }
-  figures.droppedFrames = inputs.source->droppedFrames();
-  figures.clocks = run->clockEstimates();
+  figures.droppedFrameCount = inputs.source->droppedFrameCount();
+  figures.clockEstimates = run->clockEstimates();
   const auto ended = writeTextFile(folder / "run.json", runReport(inputs.project, figures));
   printSummary(output.kept, inputs.truth, run->rig(), inputs.project.targets,
                run->iterationsPerFrame(), figures);
   if (!tracked) {
     // Frames were tracked before the input broke: that is "ended early", whatever broke it.
     const int code = reportError(tracked.error());
-    return code == kExitBadInput && figures.frames > 0 ? kExitEndedEarly : code;
+    return code == kExitBadInput && figures.frameCount > 0 ? kExitEndedEarly : code;
   }
   if (!ended) {
     return reportError(ended.error());
   }
-  if (!figures.finished) {
+  if (!figures.isFinished) {
     return kExitInterrupted;
   }
   JobRecord done = record;
-  done.frameCount = figures.frames;
-  done.trackingSeconds = figures.seconds;
+  done.frameCount = figures.frameCount;
+  done.trackingSeconds = figures.durationSeconds;
   done.threadCount = threadCount;
   done.targets = output.targets();
   const auto finished = begun->finish(std::move(done), results);

@@ -15,7 +15,7 @@ namespace dewpoint::app {
 struct TrackJob {
   std::filesystem::path folder;
   int threadCount = 1;
-  bool writesReasons = false; ///< true to also write reasons.csv
+  bool writesReasonsFile = false; ///< true to also write reasons.csv
   FrameRange frames;
   JobRecord record; ///< identity of the job, which does not depend on its results
 

@@ -50,7 +50,7 @@ Result<Trajectory> readTruth(const EvaluateOptions& options, const Trajectory& e
   if (!options.truthUnit.empty()) {
     return toMeters(std::move(*truth), parseLengthUnit(options.truthUnit).value_or(1.0));
   }
-  if (const auto unit = likelyTruthUnit(estimate, *truth)) {
+  if (const auto unit = likelyTruthUnitInMeters(estimate, *truth)) {
     const bool isMillimeter = *unit < 0.005;
     fmt::print(stderr,
                "dewpoint-cli: note: the positions in {} fit if they are in {}; evaluate with "

@@ -43,8 +43,8 @@ Result<std::optional<RangeBound>> parseSpanEnd(const std::string& text, const ch
   }
   RangeBound end;
   std::string_view digits = text;
-  end.isFrame = digits.ends_with('f');
-  if (end.isFrame || digits.ends_with('s')) {
+  end.isFrameNumber = digits.ends_with('f');
+  if (end.isFrameNumber || digits.ends_with('s')) {
     digits.remove_suffix(1);
   }
   const auto number = toNumber<double>(digits);
@@ -53,7 +53,7 @@ Result<std::optional<RangeBound>> parseSpanEnd(const std::string& text, const ch
         ErrorCode::BadValue, "", option,
         fmt::format("expected seconds, such as 2.5, or a frame, such as 75f; found {}", text));
   }
-  end.value = *number;
+  end.secondsOrFrame = *number;
   return std::optional(end);
 }
 
@@ -70,7 +70,7 @@ Result<std::string> formatFor(const std::string& wanted, const std::filesystem::
     }
     return std::string(isKnown ? ofEnding->id : exportFormats().front().id);
   }
-  const auto format = exportFormat(wanted);
+  const auto format = findExportFormat(wanted);
   if (format && isKnown && (*format)->suffix != ending) {
     return failure(ErrorCode::BadValue, "", "--out",
                    fmt::format("the extension {} is that of format {}, but --format is {}", ending,
@@ -98,8 +98,8 @@ Status completeOptions(ExportCommand& command) {
     return tl::make_unexpected(to.error());
   }
   ExportOptions& options = command.options;
-  options.from = *from;
-  options.to = *to;
+  options.rangeBegin = *from;
+  options.rangeEnd = *to;
   options.gapRule = command.gaps == "fill" ? GapRule::Fill : GapRule::LeaveEmpty;
   if (!command.axes.empty()) {
     options.axes = command.axes == "y-up" ? WorldAxes::YUp : WorldAxes::ZUp;
@@ -109,7 +109,7 @@ Status completeOptions(ExportCommand& command) {
   }
   options.writesHeader = !command.noHeader;
   const auto now = std::chrono::system_clock::now();
-  options.date = fmt::format("{:%FT%TZ}", std::chrono::floor<std::chrono::seconds>(now));
+  options.exportDate = fmt::format("{:%FT%TZ}", std::chrono::floor<std::chrono::seconds>(now));
   return {};
 }
 
@@ -138,7 +138,7 @@ Status writeFigure(const ExportCommand& command, const Trajectory& trajectory) {
     return tl::make_unexpected(table.error());
   }
   const std::string title = figureTitle(trajectory.header.entries);
-  const FigureDrawing drawing = figureDrawing(*table, {title, "time (s)", "from above"});
+  const FigureDrawing drawing = layOutFigure(*table, {title, "time (s)", "from above"});
   return writeTextFile(command.figure, figureSvg(drawing, title));
 }
 
@@ -233,7 +233,9 @@ void addExportCommand(CLI::App& app, int& exitCode) {
                    "What to write in gaps: leave (nothing) or fill (interpolated positions)")
       ->check(CLI::IsMember({"leave", "fill"}))
       ->capture_default_str();
-  command->add_option("--longest-gap", options.longestGap, "Longest gap that is filled, seconds")
+  command
+      ->add_option("--longest-gap", options.maxFilledGapSeconds,
+                   "Longest gap that is filled, seconds")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command
@@ -242,7 +244,7 @@ void addExportCommand(CLI::App& app, int& exitCode) {
       ->check(CLI::IsMember({"z-up", "y-up"}));
   command->add_option("--unit", arguments->unit, "Lengths: m or mm (default: that of the format)")
       ->check(CLI::IsMember({"m", "mm"}));
-  command->add_flag("--smooth", options.smooth,
+  command->add_flag("--smooth", options.usesSmoothedEstimates,
                     "Export smoothed estimates, which use all frames, instead of live ones");
   command->add_flag(
       "--no-header", arguments->noHeader,

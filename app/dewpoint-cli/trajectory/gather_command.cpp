@@ -45,9 +45,10 @@ Status writeGathered(const GatheredJobs& gathered, const std::filesystem::path& 
   if (problem) {
     return failure(ErrorCode::FileUnwritable, folder.string(), "--out", problem.message());
   }
-  return writeTextFile(folder / "results.csv", gatheredTable(gathered))
-      .and_then([&] { return writeTextFile(folder / "times.csv", gatheredDurations(gathered)); })
-      .and_then([&] { return writeTextFile(folder / "report.md", gatheredReport(gathered)); });
+  return writeTextFile(folder / "results.csv", gatheredTableText(gathered))
+      .and_then(
+          [&] { return writeTextFile(folder / "times.csv", gatheredDurationsText(gathered)); })
+      .and_then([&] { return writeTextFile(folder / "report.md", gatheredReportText(gathered)); });
 }
 
 int gather(const GatherOptions& options) {

@@ -18,7 +18,7 @@ std::string csvVector(const std::optional<Eigen::Vector3d>& vector) {
 
 std::string csvTargetRow(const FrameMessage& frame, const TargetMessage& target) {
   std::string cameras;
-  for (const int camera : target.cameras) {
+  for (const int camera : target.seeingCameras) {
     const CameraMessage& one = frame.rig->cameras.at(static_cast<std::size_t>(camera));
     cameras += (cameras.empty() ? "" : ";") + one.name;
   }

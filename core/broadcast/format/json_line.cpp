@@ -39,7 +39,7 @@ std::string jsonSymmetric(const Eigen::Matrix3d& c) {
 
 std::string jsonTarget(const TargetMessage& target, const RigMessage& rig) {
   std::string cameras;
-  for (const int camera : target.cameras) {
+  for (const int camera : target.seeingCameras) {
     cameras += (cameras.empty() ? "" : ",") +
                quotedJson(rig.cameras.at(static_cast<std::size_t>(camera)).name);
   }
@@ -74,7 +74,7 @@ std::vector<std::string> jsonFrameLines(const FrameMessage& frame) {
   }
   return {fmt::format(R"({{"type":"frame","frame":{},"sequence":{},"time":{},"targets":[{}]}})"
                       "\n",
-                      frame.frame, frame.sequence, jsonNumber(frame.time, 9), targets)};
+                      frame.frame, frame.sequenceNumber, jsonNumber(frame.time, 9), targets)};
 }
 
 } // namespace dewpoint::broadcast

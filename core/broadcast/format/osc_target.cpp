@@ -23,7 +23,7 @@ std::vector<OscMessage> oscTarget(const TargetMessage& target, const RigMessage&
   covariance.addVector(Eigen::Vector3d(c(0, 0), c(0, 1), c(0, 2)));
   covariance.addVector(Eigen::Vector3d(c(1, 1), c(1, 2), c(2, 2)));
   OscMessage cameras{"/dewpoint/cameras", {target.id}};
-  for (const int camera : target.cameras) {
+  for (const int camera : target.seeingCameras) {
     cameras.arguments.emplace_back(rig.cameras.at(static_cast<std::size_t>(camera)).name);
   }
   return {std::move(main), std::move(covariance), std::move(cameras)};
@@ -34,7 +34,7 @@ std::vector<OscMessage> oscTarget(const TargetMessage& target, const RigMessage&
 std::vector<std::string> oscFrameBundles(const FrameMessage& frame) {
   const std::vector<OscMessage> head{
       {"/dewpoint/frame",
-       {static_cast<std::int32_t>(frame.frame), static_cast<std::int32_t>(frame.sequence),
+       {static_cast<std::int32_t>(frame.frame), static_cast<std::int32_t>(frame.sequenceNumber),
         static_cast<float>(frame.time), static_cast<std::int32_t>(frame.targets.size())}}};
   std::vector<std::string> bundles;
   OscBundle bundle;

@@ -13,9 +13,9 @@ namespace dewpoint::broadcast {
 /// Format in which results are sent during a run, such as JSON lines. Its functions have no side
 /// effects: the same input gives the same bytes.
 struct StreamFormat {
-  std::string_view id;     ///< name in documents and messages
-  std::string_view title;  ///< description in a few words
-  std::string_view fields; ///< contents of a frame, in one sentence
+  std::string_view id;               ///< name in documents and messages
+  std::string_view title;            ///< description in a few words
+  std::string_view frameDescription; ///< contents of a frame, in one sentence
   /// Returns the text that a receiver gets before the first frame, and again after a change of the
   /// rig. An empty text is not sent.
   std::string (*preamble)(const RigMessage& rig);

@@ -37,7 +37,7 @@ std::vector<std::string> tuioFrameBundles(const FrameMessage& frame) {
   }
   const std::vector<OscMessage> head{std::move(alive)};
   const std::vector<OscMessage> tail{
-      {kCursorAddress, {std::string("fseq"), static_cast<std::int32_t>(frame.sequence)}}};
+      {kCursorAddress, {std::string("fseq"), static_cast<std::int32_t>(frame.sequenceNumber)}}};
   const std::size_t tailBytes = OscBundle::byteCountOf(tail);
   std::vector<std::string> bundles;
   OscBundle bundle;

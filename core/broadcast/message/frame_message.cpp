@@ -25,8 +25,8 @@ TrajectorySample sampleOfTarget(const TrackSnapshot& snapshot, const TargetSnaps
   const auto position = positionOf(target.estimate);
   sample.frame = snapshot.frame;
   sample.time = seconds(snapshot.frames->time);
-  sample.valid = position && position->mean.allFinite() && isHeld(target.estimate);
-  sample.position = sample.valid ? position->mean : Eigen::Vector3d::Zero();
+  sample.isValid = position && position->mean.allFinite() && isConfirmed(target.estimate);
+  sample.position = sample.isValid ? position->mean : Eigen::Vector3d::Zero();
   return sample;
 }
 
@@ -35,7 +35,7 @@ std::vector<TrajectorySample> renumbered(std::vector<TrajectorySample> samples) 
   std::int64_t number = 0;
   std::int64_t before = samples.empty() ? 0 : samples.front().frame;
   for (TrajectorySample& sample : samples) {
-    number += trajectory::isInterrupted(before, sample.frame) ? 2 : 1;
+    number += trajectory::isTrackInterrupted(before, sample.frame) ? 2 : 1;
     before = std::exchange(sample.frame, number);
   }
   return samples;
@@ -53,7 +53,7 @@ std::vector<int> camerasSeeing(const TrackSnapshot& snapshot, const TargetSnapsh
 
 } // namespace
 
-Eigen::Matrix3d OutputCoordinates::fromWorld() const {
+Eigen::Matrix3d OutputCoordinates::outputFromWorld() const {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
   if (axes == OutputAxes::YUp) {
     matrix << 0, 1, 0, 0, 0, 1, 1, 0, 0;
@@ -92,13 +92,13 @@ RigMessage rigMessageOf(const TrackSnapshot& snapshot, const OutputCoordinates& 
                         const std::optional<WorldBox>& volume) {
   RigMessage message;
   message.coordinates = coordinates;
-  const Eigen::Matrix3d fromWorld = coordinates.fromWorld();
+  const Eigen::Matrix3d outputFromWorld = coordinates.outputFromWorld();
   for (const Camera& camera : *snapshot.rig) {
-    message.cameras.push_back({camera.name, fromWorld * camera.center(),
-                               (fromWorld * camera.opticalAxis()).normalized()});
+    message.cameras.push_back({camera.name, outputFromWorld * camera.center(),
+                               (outputFromWorld * camera.opticalAxis()).normalized()});
   }
   const auto box = volume ? volume : seenVolume(*snapshot.rig);
-  message.volume = mapped(box.value_or(message.volume), fromWorld);
+  message.volume = mapped(box.value_or(message.volume), outputFromWorld);
   return message;
 }
 
@@ -145,7 +145,7 @@ FrameMessage frameMessageOf(const TrackSnapshot& snapshot, const RecentPositions
   message.frame = snapshot.frame;
   message.time = seconds(snapshot.frames->time);
   message.rig = rig;
-  const Eigen::Matrix3d fromWorld = rig->coordinates.fromWorld();
+  const Eigen::Matrix3d outputFromWorld = rig->coordinates.outputFromWorld();
   for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
     const TargetSnapshot& target = snapshot.targets[k];
     if (isAbsent(target.estimate)) {
@@ -157,16 +157,16 @@ FrameMessage frameMessageOf(const TrackSnapshot& snapshot, const RecentPositions
     sent.state = stateWord(session::trackingState(target));
     sent.existenceProbability = existenceProbabilityOf(target.estimate);
     const auto position = positionOf(target.estimate);
-    if (!position || !position->mean.allFinite() || !isHeld(target.estimate)) {
+    if (!position || !position->mean.allFinite() || !isConfirmed(target.estimate)) {
       continue;
     }
-    sent.position = fromWorld * position->mean;
-    sent.covariance = fromWorld * position->covariance * fromWorld.transpose();
+    sent.position = outputFromWorld * position->mean;
+    sent.covariance = outputFromWorld * position->covariance * outputFromWorld.transpose();
     if (const auto velocity = recent.velocity(sent.name)) {
-      sent.velocity = fromWorld * *velocity;
-      sent.acceleration = fromWorld * recent.acceleration(sent.name);
+      sent.velocity = outputFromWorld * *velocity;
+      sent.acceleration = outputFromWorld * recent.acceleration(sent.name);
     }
-    sent.cameras = camerasSeeing(snapshot, target);
+    sent.seeingCameras = camerasSeeing(snapshot, target);
   }
   return message;
 }

@@ -23,7 +23,7 @@ struct OutputCoordinates {
   OutputUnit unit = OutputUnit::Meter;
 
   /// Returns the matrix that converts a position (meters, world frame) to output coordinates.
-  Eigen::Matrix3d fromWorld() const;
+  Eigen::Matrix3d outputFromWorld() const;
   bool operator==(const OutputCoordinates&) const = default;
 };
 
@@ -64,15 +64,16 @@ struct TargetMessage {
   /// if unknown.
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
   double existenceProbability = 0.0; ///< existence probability, 0 to 1
-  std::vector<int> cameras; ///< cameras that see the target, as indices in RigMessage::cameras
+  std::vector<int>
+      seeingCameras; ///< cameras that see the target, as indices in RigMessage::cameras
 };
 
 /// All targets in one frame, as sent to other programs.
 struct FrameMessage {
-  std::int64_t frame = 0;    ///< number of the frame in the run
-  std::int64_t sequence = 0; ///< number of this message since the outputs were opened, from 1
-  double time = 0.0;         ///< capture time, seconds since the start of the run
-  RigMessagePtr rig;         ///< rig of this frame; never null
+  std::int64_t frame = 0;          ///< number of the frame in the run
+  std::int64_t sequenceNumber = 0; ///< number of this message since the outputs were opened, from 1
+  double time = 0.0;               ///< capture time, seconds since the start of the run
+  RigMessagePtr rig;               ///< rig of this frame; never null
   std::vector<TargetMessage> targets;
 };
 
@@ -117,7 +118,7 @@ private:
 
 /// Returns the message about the frame in a snapshot. The snapshot must have a rig and frames, and
 /// must already have been added to `recent`, which provides the velocities. People who have left
-/// are omitted. The caller must set FrameMessage::sequence, which is 0.
+/// are omitted. The caller must set FrameMessage::sequenceNumber, which is 0.
 FrameMessage frameMessageOf(const TrackSnapshot& snapshot, const RecentPositions& recent,
                             const RigMessagePtr& rig);
 

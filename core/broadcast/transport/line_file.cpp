@@ -102,7 +102,7 @@ void LineFile::write(const std::string& piece) {
     done += static_cast<std::size_t>(written);
   }
   const std::lock_guard lock(mutex_);
-  ++(done == piece.size() ? report_.sentPieces : report_.droppedPieces);
+  ++(done == piece.size() ? report_.sentPieceCount : report_.droppedPieceCount);
 }
 
 void LineFile::send(const std::vector<std::string>& pieces) {

@@ -30,11 +30,11 @@ public:
   /// Removes the first piece (line or message) from the queue. The queue must not be empty.
   void pop();
   /// Returns the number of bytes in the queue.
-  std::size_t bytes() const { return bytes_; }
+  std::size_t byteCount() const { return byteCount_; }
 
 private:
   std::size_t maxBytes_;
-  std::size_t bytes_ = 0;
+  std::size_t byteCount_ = 0;
   std::deque<SharedBytes> pieces_;
 };
 

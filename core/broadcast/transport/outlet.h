@@ -25,10 +25,10 @@ struct OutletReport {
   /// For a server, its own address ("127.0.0.1:9001", "http://127.0.0.1:9002/"). For datagrams, the
   /// address of the receiver. For CSV lines, the file; "-" is standard output.
   std::string address;
-  int clientCount = 0;         ///< number of connected programs
-  std::int64_t sentPieces = 0; ///< number of lines or datagrams passed to the operating system
+  int clientCount = 0;             ///< number of connected programs
+  std::int64_t sentPieceCount = 0; ///< number of lines or datagrams passed to the operating system
   /// Number of lines or datagrams that were not sent because a receiver was too slow.
-  std::int64_t droppedPieces = 0;
+  std::int64_t droppedPieceCount = 0;
   /// True while no program reads from the named pipe, so that nothing is sent.
   bool hasNoReader = false;
   /// Message of the operating system if nothing can be written; empty if there is no such problem.

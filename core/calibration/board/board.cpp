@@ -110,7 +110,7 @@ std::string readFlags(const std::vector<std::string>& parts, std::size_t first,
     if (parts[k] == "legacy" && board.kind == BoardDescription::Kind::Charuco) {
       board.usesLegacyLayout = true;
     } else if (parts[k] == "inverted") {
-      board.inverted = true;
+      board.isInverted = true;
     } else {
       return fmt::format("'{}' is unknown here", parts[k]);
     }
@@ -167,8 +167,8 @@ Eigen::Vector3d BoardDescription::center() const {
 }
 
 bool BoardDescription::isBlack(int column, int row) const {
-  const bool whiteFirst = usesLegacyLayout && kind == Kind::Charuco && rows % 2 == 0;
-  return ((column + row) % 2 == 0) != whiteFirst;
+  const bool isFirstSquareWhite = usesLegacyLayout && kind == Kind::Charuco && rows % 2 == 0;
+  return ((column + row) % 2 == 0) != isFirstSquareWhite;
 }
 
 int BoardDescription::symmetryOrder() const {
@@ -204,7 +204,7 @@ std::string boardText(const BoardDescription& board) {
     text += fmt::format(":{}:{}{}", board.markerSize, board.dictionary,
                         board.usesLegacyLayout ? ":legacy" : "");
   }
-  return text + (board.inverted ? ":inverted" : "");
+  return text + (board.isInverted ? ":inverted" : "");
 }
 
 const std::vector<std::string>& markerDictionaries() {

@@ -28,7 +28,7 @@ struct BoardDescription {
   /// True if the first square of a ChArUco board is white, as on boards with an even number of rows
   /// that OpenCV before 4.6 created.
   bool usesLegacyLayout = false;
-  bool inverted = false; ///< printed with black and white exchanged
+  bool isInverted = false; ///< printed with black and white exchanged
 
   /// Returns the number of inner corners in a row. Inner corners are those that a BoardDetector
   /// finds.
@@ -47,7 +47,7 @@ struct BoardDescription {
   Eigen::Vector3d corner(int id) const;
   /// Returns the center of the area covered by all squares, in the board frame; meters.
   Eigen::Vector3d center() const;
-  /// Returns whether a square is black on the page, ignoring `inverted`. On ChArUco boards the
+  /// Returns whether a square is black on the page, ignoring `isInverted`. On ChArUco boards the
   /// white squares contain the markers.
   bool isBlack(int column, int row) const;
   /// Returns the number of rotations about the board's normal that leave the board unchanged: 1

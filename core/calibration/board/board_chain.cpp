@@ -186,13 +186,13 @@ void placeBoards(const ExtrinsicsRequest& request, BoardChain& chain) {
     }
   }
   for (const auto& [instant, view] : best) {
-    chain.firstFromBoard[instant] =
-        chain.cameraFromFirst[view->camera].inverse() * view->cameraFromBoard;
+    chain.firstCameraFromBoard[instant] =
+        chain.cameraFromFirstCamera[view->camera].inverse() * view->cameraFromBoard;
   }
   const int symmetry = request.board.symmetryOrder();
   for (PosedView& view : chain.views) {
     const Eigen::Isometry3d expected =
-        chain.cameraFromFirst[view.camera] * chain.firstFromBoard[view.view->instant];
+        chain.cameraFromFirstCamera[view.camera] * chain.firstCameraFromBoard[view.view->instant];
     PosedView nearest = view;
     double least = std::numeric_limits<double>::max();
     for (int k = 0; k < symmetry; ++k) {
@@ -243,7 +243,7 @@ Result<BoardChain> chainCameras(const ExtrinsicsRequest& request) {
   if (!poses) {
     return tl::make_unexpected(poses.error());
   }
-  chain.cameraFromFirst = std::move(*poses);
+  chain.cameraFromFirstCamera = std::move(*poses);
   placeBoards(request, chain);
   return chain;
 }

@@ -23,10 +23,10 @@ struct PosedView {
 struct BoardChain {
   /// For each camera, the transformation from the frame of the first camera to the frame of this
   /// camera; meters.
-  std::vector<Eigen::Isometry3d> cameraFromFirst;
+  std::vector<Eigen::Isometry3d> cameraFromFirstCamera;
   /// Board poses in the frame of the first camera. The key is the instant (BoardView::instant) at
   /// which the board had the pose.
-  std::map<std::int64_t, Eigen::Isometry3d> firstFromBoard;
+  std::map<std::int64_t, Eigen::Isometry3d> firstCameraFromBoard;
   std::vector<PosedView> views;
   /// Views from which no board pose could be computed, per camera.
   std::vector<std::vector<ViewFit>> leftOutViews;

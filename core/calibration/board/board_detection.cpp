@@ -43,7 +43,7 @@ std::optional<BoardDetection> BoardDetector::detect(const cv::Mat& image,
   std::vector<cv::Point2f> corners;
   double reach = 0.35; // of a square: where the page is plain beside an edge
   const bool charuco = board_.kind == BoardDescription::Kind::Charuco;
-  const cv::Mat gray = grayOf(image, charuco && board_.inverted);
+  const cv::Mat gray = grayOf(image, charuco && board_.isInverted);
   try {
     if (charuco) {
       reach = 0.5 * (1.0 - board_.markerSize / board_.squareSize);
@@ -66,7 +66,7 @@ std::optional<BoardDetection> BoardDetector::detect(const cv::Mat& image,
   for (const cv::Point2f& corner : corners) {
     found.pixels.emplace_back(corner.x, corner.y);
   }
-  found.edgeWidthPx = edgeWidth(gray, board_, found, reach);
+  found.edgeWidthPx = measureEdgeWidth(gray, board_, found, reach);
   return found;
 }
 
@@ -77,7 +77,7 @@ int BoardDetector::countCorners(const cv::Mat& image) const {
   std::vector<int> ids;
   std::vector<cv::Point2f> corners;
   try {
-    findCharucoCorners(grayOf(image, board_.inverted), board_, markerSquares_, ids, corners);
+    findCharucoCorners(grayOf(image, board_.isInverted), board_, markerSquares_, ids, corners);
   } catch (const cv::Exception&) {
     return 0;
   }

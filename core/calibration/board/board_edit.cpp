@@ -25,7 +25,7 @@ BoardDescription withKind(BoardDescription board, BoardDescription::Kind kind) {
   board.markerSize = markers ? rounded(kMarkerFraction * board.squareSize) : 0.0;
   board.dictionary = markers ? "DICT_4X4_100" : "";
   board.usesLegacyLayout = false;
-  board.inverted = false;
+  board.isInverted = false;
   return board;
 }
 

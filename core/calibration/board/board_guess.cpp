@@ -68,8 +68,8 @@ std::optional<BoardDescription> boardOfGrid(const MarkerGrid& grid, const Marker
   board.columns = grid.columns;
   board.rows = grid.rows;
   board.squareSize = requested.squareSize;
-  board.usesLegacyLayout = grid.whiteFirst;
-  board.inverted = reading.inverted;
+  board.usesLegacyLayout = grid.isFirstSquareWhite;
+  board.isInverted = reading.isInverted;
   const double part =
       requested.kind == KindOfBoard::Charuco ? requested.markerSize / requested.squareSize : 0.0;
   board = std::abs(part - grid.markerToSquareRatio) < kSameMarkerPart
@@ -77,7 +77,7 @@ std::optional<BoardDescription> boardOfGrid(const MarkerGrid& grid, const Marker
               : withMarkerSize(board, board.squareSize *
                                           std::round(grid.markerToSquareRatio * kMarkerPartSteps) /
                                           kMarkerPartSteps);
-  return withDictionary(board, reading.code, requested);
+  return withDictionary(board, reading.codeIndex, requested);
 }
 
 /// Counts the images in which the board is found.
@@ -130,7 +130,7 @@ std::optional<std::vector<BoardGuess>> charucoGuesses(const std::vector<cv::Mat>
         return std::nullopt;
       }
       if (const auto board = boardOfGrid(grid, reading, requested)) {
-        guesses.push_back(confirmedGuess(*board, reading.mirrored, images));
+        guesses.push_back(confirmedGuess(*board, reading.isMirrored, images));
       }
     }
   }
@@ -147,7 +147,7 @@ BoardDescription chessboardOf(const cv::Size& size, const BoardDescription& requ
   board.columns = size.width;
   board.rows = size.height;
   board.squareSize = requested.squareSize;
-  board.inverted = requested.kind == KindOfBoard::Chessboard && requested.inverted;
+  board.isInverted = requested.kind == KindOfBoard::Chessboard && requested.isInverted;
   return isSameBoard(board, requested) ? requested : board; // columns and rows as requested
 }
 
@@ -157,8 +157,8 @@ mostFrequentSizes(const std::vector<std::optional<ChessboardSuggestion>>& sizes,
                   const BoardDescription& requested) {
   std::map<std::pair<int, int>, int> votes;
   for (const auto& size : sizes) {
-    if (size && size->whole) {
-      ++votes[{size->size.width, size->size.height}];
+    if (size && size->isWhole) {
+      ++votes[{size->innerCorners.width, size->innerCorners.height}];
     }
   }
   std::vector<std::pair<int, BoardDescription>> ranked;
@@ -191,7 +191,7 @@ std::optional<std::vector<BoardGuess>> chessboardGuesses(const std::vector<cv::M
     sizes.push_back(suggestChessboard(images[k]));
   }
   const auto suggested = static_cast<int>(
-      std::ranges::count_if(sizes, [](const auto& size) { return size && size->whole; }));
+      std::ranges::count_if(sizes, [](const auto& size) { return size && size->isWhole; }));
   std::vector<BoardGuess> guesses;
   for (const BoardDescription& board : mostFrequentSizes(sizes, requested)) {
     BoardGuess guess{board, false, static_cast<int>(images.size()), 0, 0};
@@ -204,8 +204,8 @@ std::optional<std::vector<BoardGuess>> chessboardGuesses(const std::vector<cv::M
         return std::nullopt;
       }
       // Looking in vain costs the most time, and a few corners are easily found in anything.
-      const bool same = sizes[k] && sizes[k]->whole &&
-                        isSameBoard(board, chessboardOf(sizes[k]->size, requested));
+      const bool same = sizes[k] && sizes[k]->isWhole &&
+                        isSameBoard(board, chessboardOf(sizes[k]->innerCorners, requested));
       bool shown = sizes[k] && (same || board.cornerCount() >= kSurelyChessboard) &&
                    showsChessboard(images[k], detector, DetectionEffort::Live);
       if (!shown && same && failed < kMostFailures) {
@@ -230,7 +230,7 @@ std::optional<std::vector<BoardGuess>> chessboardGuesses(const std::vector<cv::M
 
 } // namespace
 
-cv::Mat imageForGuess(const cv::Mat& image) {
+cv::Mat reducedGrayImage(const cv::Mat& image) {
   cv::Mat gray = image;
   if (image.channels() == 3) {
     cv::cvtColor(image, gray, cv::COLOR_BGR2GRAY);
@@ -250,7 +250,7 @@ Result<std::vector<BoardGuess>> guessBoards(const std::vector<cv::Mat>& images,
   std::vector<cv::Mat> searched;
   searched.reserve(images.size());
   for (const cv::Mat& image : images) {
-    searched.push_back(imageForGuess(image));
+    searched.push_back(reducedGrayImage(image));
   }
   auto guesses = charucoGuesses(searched, requested, progress);
   const auto isSeen = [](const BoardGuess& guess) { return guess.imageCount > 0; };
@@ -274,11 +274,11 @@ bool isSameBoard(const BoardDescription& one, const BoardDescription& other) {
     return std::minmax(one.columns, one.rows) == std::minmax(other.columns, other.rows);
   }
   return one.columns == other.columns && one.rows == other.rows &&
-         one.isBlack(0, 0) == other.isBlack(0, 0) && one.inverted == other.inverted &&
+         one.isBlack(0, 0) == other.isBlack(0, 0) && one.isInverted == other.isInverted &&
          codeOf(one.dictionary) == codeOf(other.dictionary);
 }
 
-std::string guessText(const BoardGuess& guess) {
+std::string describeGuess(const BoardGuess& guess) {
   const BoardDescription& board = guess.board;
   std::string text =
       board.kind == KindOfBoard::Chessboard
@@ -286,14 +286,14 @@ std::string guessText(const BoardGuess& guess) {
           : fmt::format("ChArUco board of {} x {} squares, {}", board.columns, board.rows,
                         board.dictionary);
   text += board.usesLegacyLayout ? ", legacy layout" : "";
-  text += board.inverted ? ", black and white exchanged" : "";
+  text += board.isInverted ? ", black and white exchanged" : "";
   text += guess.isMirrored ? ", mirrored" : "";
   return text;
 }
 
-std::string proposalText(const BoardGuess& guess) {
+std::string guessAdviceSentence(const BoardGuess& guess) {
   return fmt::format("{} of {} images searched seem to show a {}: {}use --board {}",
-                     guess.imageCount, guess.searchedImageCount, guessText(guess),
+                     guess.imageCount, guess.searchedImageCount, describeGuess(guess),
                      guess.isMirrored ? "mirror the images (mirror = true in the project) and "
                                       : "",
                      boardText(guess.board));

@@ -14,7 +14,7 @@ namespace dewpoint::calibration {
 /// Board found in images by guessBoards(), and in how many images and corners it was seen.
 struct BoardGuess {
   /// The board that was found. Images do not show the square size, nor whether a chessboard is
-  /// `inverted`; these two are copied from the board that was passed to guessBoards() as
+  /// `isInverted`; these two are copied from the board that was passed to guessBoards() as
   /// `requested`.
   BoardDescription board;
   /// True if the images are mirrored left to right. A BoardDetector cannot find the board in such
@@ -27,7 +27,7 @@ struct BoardGuess {
 
 /// Returns an image (CV_8UC1 or CV_8UC3, BGR) in the form that guessBoards() uses: gray, and
 /// reduced to a width of at most 1280 pixels. To save memory, callers can keep images in this form.
-cv::Mat imageForGuess(const cv::Mat& image);
+cv::Mat reducedGrayImage(const cv::Mat& image);
 
 /// Returns the boards that are shown in images: chessboards of any size, and ChArUco boards of any
 /// size and dictionary with at least four visible markers. Boards may be legacy or inverted, and
@@ -50,11 +50,11 @@ bool isSameBoard(const BoardDescription& one, const BoardDescription& other);
 
 /// Returns the description of a board in words, for example "ChArUco board of 4 x 5 squares,
 /// DICT_4X4_50, black and white exchanged, mirrored".
-std::string guessText(const BoardGuess& guess);
+std::string describeGuess(const BoardGuess& guess);
 
 /// Returns a sentence that tells the user what to do, without a period at its end. Example: "3 of
 /// 20 images seem to show another board, a ChArUco board of ...: use --board
 /// charuco:4x5:0.054:0.0405:DICT_4X4_50:inverted".
-std::string proposalText(const BoardGuess& guess);
+std::string guessAdviceSentence(const BoardGuess& guess);
 
 } // namespace dewpoint::calibration

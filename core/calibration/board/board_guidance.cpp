@@ -47,7 +47,7 @@ BoardTilt BoardGuidance::currentTilt(const BoardDetection& detection) const {
 void BoardGuidance::updateMotion(double seconds, const BoardDetection& detection) {
   const auto moved = last_ ? motionBetween(*last_, detection) : std::nullopt;
   const double allowed =
-      settings_.maxStillSpeed * camera_.intrinsics.width * (seconds - lastSeconds_);
+      settings_.maxStillWidthsPerSecond * camera_.intrinsics.width * (seconds - lastSeconds_);
   if (!moved || *moved > allowed) {
     stillSince_ = seconds;
   }
@@ -91,19 +91,19 @@ GuidanceAdvice BoardGuidance::nextAdvice(const BoardDetection& detection,
                                          GuidanceState& state) const {
   const Eigen::Vector2d middle = centroidOf(detection);
   if (views_.empty()) {
-    state.region =
+    state.requestedRegion =
         BoardCoverage::regionOf(middle, camera_.intrinsics.width, camera_.intrinsics.height);
     return GuidanceAdvice::HoldStill;
   }
-  state.region = emptiestRegion(middle);
+  state.requestedRegion = emptiestRegion(middle);
   // Tilts and places alternate, so that neither is all that is ever shown.
   if (views_.size() % 2 == 0) {
     const auto& tilts = coverage_.tiltCounts;
     state.tilt = static_cast<BoardTilt>(std::ranges::min_element(tilts) - tilts.begin());
     return GuidanceAdvice::TiltTo;
   }
-  if (largestAreaFraction_ < settings_.nearAreaFraction && views_.size() >= kViewsBeforeNear &&
-      areaFraction(detection, camera_.intrinsics) < settings_.nearAreaFraction) {
+  if (largestAreaFraction_ < settings_.requiredAreaFraction && views_.size() >= kViewsBeforeNear &&
+      areaFraction(detection, camera_.intrinsics) < settings_.requiredAreaFraction) {
     return GuidanceAdvice::ComeNearer;
   }
   return GuidanceAdvice::MoveTo;
@@ -115,7 +115,7 @@ void BoardGuidance::advise(const BoardDetection& detection, GuidanceState& state
     instruction_->advice = nextAdvice(detection, *instruction_);
   }
   state.advice = instruction_->advice;
-  state.region = instruction_->region;
+  state.requestedRegion = instruction_->requestedRegion;
   state.tilt = instruction_->tilt;
 }
 
@@ -139,10 +139,11 @@ void BoardGuidance::capture(GuidanceState& state) {
   stillSince_ = lastSeconds_;
   instruction_.reset();
   state = summary();
-  state.captured = true;
+  state.wasCaptured = true;
 }
 
-GuidanceState BoardGuidance::step(double seconds, const std::optional<BoardDetection>& detection) {
+GuidanceState BoardGuidance::update(double seconds,
+                                    const std::optional<BoardDetection>& detection) {
   GuidanceState state = summary();
   const bool enough = views_.size() >= static_cast<std::size_t>(settings_.minViews) &&
                       projectionPx_ && *projectionPx_ <= settings_.requiredProjectionSigmaPx;
@@ -158,7 +159,7 @@ GuidanceState BoardGuidance::step(double seconds, const std::optional<BoardDetec
   if (addsInformation(*detection)) {
     state.holdProgress = std::clamp((seconds - stillSince_) / settings_.holdSeconds, 0.0, 1.0);
     const bool soft =
-        detection->edgeWidthPx > settings_.softEdgeFraction * camera_.intrinsics.width;
+        detection->edgeWidthPx > settings_.softEdgeWidthFraction * camera_.intrinsics.width;
     if (state.holdProgress >= 1.0 && !soft) {
       capture(state);
     } else if (state.holdProgress > 0.0) {

@@ -11,9 +11,9 @@ namespace dewpoint::calibration {
 /// Instruction for the user who shows the board.
 enum class GuidanceAdvice {
   ShowCalibrationBoard, ///< no board is detected
-  MoveTo,               ///< move the board to the image region GuidanceState::region
+  MoveTo,               ///< move the board to the image region GuidanceState::requestedRegion
   /// Tilt the board so that the side GuidanceState::tilt is nearer, preferably with the board in
-  /// GuidanceState::region.
+  /// GuidanceState::requestedRegion.
   TiltTo,
   ComeNearer, ///< bring the board closer: it is small in the image
   HoldStill,  ///< hold still: this view is useful
@@ -24,12 +24,12 @@ enum class GuidanceAdvice {
 /// Settings of a BoardGuidance, which tells the user how to show a board to a camera.
 struct GuidanceSettings {
   /// Speed below which the board counts as still, as a fraction of the image width per second.
-  double maxStillSpeed = 0.05;
+  double maxStillWidthsPerSecond = 0.05;
   double holdSeconds = 0.5; ///< time for which the board must be still before the view is captured
   /// Edges wider than this fraction of the image width count as soft.
-  double softEdgeFraction = 0.008;
+  double softEdgeWidthFraction = 0.008;
   /// Fraction of the image area that the board should fill in at least one view.
-  double nearAreaFraction = 0.25;
+  double requiredAreaFraction = 0.25;
   int minViews = 10; ///< minimum number of captured views before the guidance can end
   /// Maximum number of captured views; the guidance then ends, whatever the accuracy.
   int maxViews = 60;
@@ -42,13 +42,13 @@ struct GuidanceSettings {
 struct GuidanceState {
   GuidanceAdvice advice = GuidanceAdvice::ShowCalibrationBoard;
   /// Index (in BoardCoverage) of the region in which to show the board; -1 if none is requested.
-  int region = -1;
+  int requestedRegion = -1;
   BoardTilt tilt = BoardTilt::Flat; ///< tilt to show if the advice is TiltTo
   BoardCoverage coverage;           ///< coverage of the captured views
   int viewCount = 0;                ///< number of views captured so far
   /// Elapsed fraction of the time for which the board must be still, 0 to 1.
   double holdProgress = 0.0;
-  bool captured = false; ///< true if this image was captured as a view
+  bool wasCaptured = false; ///< true if this image was captured as a view
   /// Standard deviation of the projection of a ray in the latest calibration
   /// (IntrinsicsResult::independentProjectionSigmaPx), pixels. Empty before the first calibration.
   std::optional<double> projectionSigmaPx;
@@ -66,7 +66,7 @@ public:
 
   /// Processes the detection in the next image; `detection` is empty if no board was found.
   /// `seconds` is the time of the image by any clock, later than in the previous call.
-  GuidanceState step(double seconds, const std::optional<BoardDetection>& detection);
+  GuidanceState update(double seconds, const std::optional<BoardDetection>& detection);
   /// Captures the latest view at the user's request, even if the board is not still or sharp. Does
   /// nothing if the latest image does not show the board.
   GuidanceState captureNow();

@@ -73,7 +73,7 @@ BundleProblem problemOf(const Eigen::Isometry3d& worldFromBoard, const BoardDesc
   }
   problem.bodies.push_back(body);
   BundleState state;
-  state.isKnown = true;
+  state.isPositionKnown = true;
   state.worldFromBoard = worldFromBoard;
   problem.states.push_back(state);
   for (std::size_t k = 0; k < rig.size(); ++k) {
@@ -87,8 +87,8 @@ BundleProblem problemOf(const Eigen::Isometry3d& worldFromBoard, const BoardDesc
 
 } // namespace
 
-Result<BoardInRig> boardInRig(const BoardDescription& board, const CameraRig& rig,
-                              const Seen& seen) {
+Result<BoardInRig> locateBoardInRig(const BoardDescription& board, const CameraRig& rig,
+                                    const Seen& seen) {
   BoardInRig result;
   Seen counted(rig.size());
   std::optional<Eigen::Isometry3d> start;

@@ -30,7 +30,7 @@ struct BoardInRig {
 /// NotFound if no camera sees enough corners for a pose; Mismatch if the corners of several cameras
 /// do not fit any pose, because the calibration is wrong or the board was moved between the images;
 /// and those of adjustBundle().
-Result<BoardInRig> boardInRig(const BoardDescription& board, const CameraRig& rig,
-                              const std::vector<std::optional<BoardDetection>>& seen);
+Result<BoardInRig> locateBoardInRig(const BoardDescription& board, const CameraRig& rig,
+                                    const std::vector<std::optional<BoardDetection>>& seen);
 
 } // namespace dewpoint::calibration

@@ -123,10 +123,10 @@ int cornersOfPart(const BoardDetector& detector, const cv::Mat& image) {
     return detector.countCorners(image);
   }
   const auto part = suggestChessboard(grayImage(image));
-  const bool fits = part && !part->whole && // a whole one is another board
-                    part->size.width <= std::max(board.columns, board.rows) &&
-                    part->size.height <= std::min(board.columns, board.rows);
-  return fits ? part->size.area() : 0;
+  const bool fits = part && !part->isWhole && // a whole one is another board
+                    part->innerCorners.width <= std::max(board.columns, board.rows) &&
+                    part->innerCorners.height <= std::min(board.columns, board.rows);
+  return fits ? part->innerCorners.area() : 0;
 }
 
 } // namespace

@@ -23,7 +23,7 @@ std::size_t indexOf(int column, int row, int columns) {
 /// The cells of all markers a board needs, with their border, row by row.
 std::vector<std::vector<char>> markerCells(const BoardDescription& board, int& cells) {
   const MarkerDictionary dictionary(board.dictionary);
-  cells = dictionary.cells() + 2;
+  cells = dictionary.cellsPerRow() + 2;
   std::vector<std::vector<char>> markers;
   for (int id = 0; id < (board.columns * board.rows + 1) / 2 && id < dictionary.size(); ++id) {
     const cv::Mat bits = dictionary.cellsOf(id);
@@ -74,12 +74,12 @@ std::vector<BoardPattern::Rectangle> BoardPattern::darkRectangles() const {
       const double top = row * size;
       const int marker = markerAt(column, row);
       if (marker < 0) {
-        if (board_.isBlack(column, row) != board_.inverted) {
+        if (board_.isBlack(column, row) != board_.isInverted) {
           dark.push_back({left, top, size, size});
         }
         continue;
       }
-      if (board_.inverted) { // the frame around the marker
+      if (board_.isInverted) { // the frame around the marker
         dark.push_back({left, top, size, margin});
         dark.push_back({left, top + size - margin, size, margin});
         dark.push_back({left, top + margin, margin, board_.markerSize});
@@ -88,7 +88,7 @@ std::vector<BoardPattern::Rectangle> BoardPattern::darkRectangles() const {
       for (int k = 0; k < cells_ * cells_; ++k) {
         const int cellColumn = k % cells_;
         const int cellRow = k / cells_;
-        if (isMarkerCellDark(marker, cellColumn, cellRow) != board_.inverted) {
+        if (isMarkerCellDark(marker, cellColumn, cellRow) != board_.isInverted) {
           dark.push_back(
               {left + margin + cell * cellColumn, top + margin + cell * cellRow, cell, cell});
         }
@@ -105,7 +105,7 @@ bool BoardPattern::isDark(double x, double y) const {
   const int column = static_cast<int>(std::floor(u));
   const int row = static_cast<int>(std::floor(v));
   if (column < 0 || row < 0 || column >= board_.squareColumns() || row >= board_.squareRows()) {
-    return board_.inverted;
+    return board_.isInverted;
   }
   bool dark = board_.isBlack(column, row);
   if (const int marker = markerAt(column, row); marker >= 0) {
@@ -116,7 +116,7 @@ bool BoardPattern::isDark(double x, double y) const {
     dark = inside &&
            isMarkerCellDark(marker, static_cast<int>(inX * cells_), static_cast<int>(inY * cells_));
   }
-  return dark != board_.inverted;
+  return dark != board_.isInverted;
 }
 
 cv::Mat drawBoard(const BoardDescription& board, int pixelsPerSquare) {

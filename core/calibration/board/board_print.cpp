@@ -65,7 +65,7 @@ std::optional<Layout> layoutOf(const BoardDescription& board, const Paper& paper
 
 /// What is printed around the squares of an inverted board; other boards have white paper there.
 double borderOf(const BoardDescription& board) {
-  return board.inverted ? std::min(kMarginMm, inMillimeters(0.5 * board.squareSize)) : 0.0;
+  return board.isInverted ? std::min(kMarginMm, inMillimeters(0.5 * board.squareSize)) : 0.0;
 }
 
 /// Everything dark, millimeters from the upper left corner of the squares.
@@ -142,27 +142,27 @@ void drawMarks(Pen& pen, const BoardSheets& sheets, int column, int row) {
   constexpr double kGap = 1.0;
   constexpr double kLength = 3.5;
   constexpr double kThickness = 0.2;
-  const double right = sheets.left + sheets.width;
-  const double bottom = sheets.top + sheets.height;
+  const double right = sheets.printedLeft + sheets.partWidth;
+  const double bottom = sheets.printedTop + sheets.partHeight;
   const auto down = [&](double x) {
-    pen.rectangle(x - 0.5 * kThickness, sheets.top - kGap - kLength, kThickness, kLength);
+    pen.rectangle(x - 0.5 * kThickness, sheets.printedTop - kGap - kLength, kThickness, kLength);
     pen.rectangle(x - 0.5 * kThickness, bottom + kGap, kThickness, kLength);
   };
   const auto across = [&](double y) {
-    pen.rectangle(sheets.left - kGap - kLength, y - 0.5 * kThickness, kLength, kThickness);
+    pen.rectangle(sheets.printedLeft - kGap - kLength, y - 0.5 * kThickness, kLength, kThickness);
     pen.rectangle(right + kGap, y - 0.5 * kThickness, kLength, kThickness);
   };
   if (column > 0) {
-    down(sheets.left);
+    down(sheets.printedLeft);
   }
-  if (column + 1 < sheets.columns) {
-    down(right - BoardSheets::kOverlap);
+  if (column + 1 < sheets.columnCount) {
+    down(right - BoardSheets::kOverlapMm);
   }
   if (row > 0) {
-    across(sheets.top);
+    across(sheets.printedTop);
   }
-  if (row + 1 < sheets.rows) {
-    across(bottom - BoardSheets::kOverlap);
+  if (row + 1 < sheets.rowCount) {
+    across(bottom - BoardSheets::kOverlapMm);
   }
   pen.fill();
 }
@@ -177,37 +177,39 @@ void drawFrame(Pen& pen, double left, double top, double width, double height) {
 
 /// The number of a sheet, row by row.
 int sheetNumber(const BoardSheets& sheets, int column, int row) {
-  return row * sheets.columns + column + 1;
+  return row * sheets.columnCount + column + 1;
 }
 
 /// A small picture of the board, with the sheets on it, and how to put them together.
 void drawPlan(Pen& pen, HPDF_Page page, const BoardDescription& board, const BoardSheets& sheets) {
   constexpr double kTextHeight = 32.0;
-  const double wholeWidth = sheets.partX(sheets.columns - 1) + sheets.width - sheets.partX(0);
-  const double wholeHeight = sheets.partY(sheets.rows - 1) + sheets.height - sheets.partY(0);
+  const double wholeWidth =
+      sheets.partLeft(sheets.columnCount - 1) + sheets.partWidth - sheets.partLeft(0);
+  const double wholeHeight =
+      sheets.partTop(sheets.rowCount - 1) + sheets.partHeight - sheets.partTop(0);
   const double scale =
       std::min((sheets.pageWidth - 2.0 * kMarginMm) / wholeWidth,
                (sheets.pageHeight - 2.0 * kMarginMm - kTextHeight - kFootMm) / wholeHeight);
   const double top = kMarginMm + kTextHeight;
-  const auto x = [&](double onBoard) { return kMarginMm + scale * (onBoard - sheets.partX(0)); };
-  const auto y = [&](double onBoard) { return top + scale * (onBoard - sheets.partY(0)); };
+  const auto x = [&](double onBoard) { return kMarginMm + scale * (onBoard - sheets.partLeft(0)); };
+  const auto y = [&](double onBoard) { return top + scale * (onBoard - sheets.partTop(0)); };
   HPDF_Page_SetGrayFill(page, 0.8F);
   for (const auto& dark : darkParts(board)) {
     pen.rectangle(x(dark.left), y(dark.top), scale * dark.width, scale * dark.height);
   }
   pen.fill();
   HPDF_Page_SetGrayFill(page, 0.0F);
-  for (int row = 0; row < sheets.rows; ++row) {
-    for (int column = 0; column < sheets.columns; ++column) {
-      drawFrame(pen, x(sheets.partX(column)), y(sheets.partY(row)), scale * sheets.width,
-                scale * sheets.height);
+  for (int row = 0; row < sheets.rowCount; ++row) {
+    for (int column = 0; column < sheets.columnCount; ++column) {
+      drawFrame(pen, x(sheets.partLeft(column)), y(sheets.partTop(row)), scale * sheets.partWidth,
+                scale * sheets.partHeight);
     }
   }
   pen.fill();
-  for (int row = 0; row < sheets.rows; ++row) {
-    for (int column = 0; column < sheets.columns; ++column) {
-      pen.text(x(sheets.partX(column)) + 0.5 * scale * sheets.width,
-               y(sheets.partY(row)) + 0.5 * scale * sheets.height,
+  for (int row = 0; row < sheets.rowCount; ++row) {
+    for (int column = 0; column < sheets.columnCount; ++column) {
+      pen.text(x(sheets.partLeft(column)) + 0.5 * scale * sheets.partWidth,
+               y(sheets.partTop(row)) + 0.5 * scale * sheets.partHeight,
                fmt::format("{}", sheetNumber(sheets, column, row)));
     }
   }
@@ -215,7 +217,7 @@ void drawPlan(Pen& pen, HPDF_Page page, const BoardDescription& board, const Boa
   double line = kMarginMm + kTextMm;
   for (const std::string& text :
        {fmt::format("The board is split on {} sheets, in the order of the drawing.",
-                    sheets.count()),
+                    sheets.sheetCount()),
         std::string("Print them at 100 %. Cut off the left and the upper edge of a sheet along the "
                     "marks, if it has marks there."),
         std::string("Glue it onto its neighbor, so that the cut edge lies on the neighbor's marks "
@@ -278,8 +280,8 @@ std::string pdfOf(const BoardDescription& board, const BoardSheets& sheets) {
   Pen planPen = pages.penFor(plan);
   drawPlan(planPen, plan, board, sheets);
   const auto dark = darkParts(board);
-  for (int row = 0; row < sheets.rows; ++row) {
-    for (int column = 0; column < sheets.columns; ++column) {
+  for (int row = 0; row < sheets.rowCount; ++row) {
+    for (int column = 0; column < sheets.columnCount; ++column) {
       Pen pen = pages.penFor(pages.add(sheets.pageWidth, sheets.pageHeight));
       for (const auto& part : rectanglesOnSheet(sheets, column, row, dark)) {
         pen.rectangle(part.left, part.top, part.width, part.height);
@@ -288,8 +290,8 @@ std::string pdfOf(const BoardDescription& board, const BoardSheets& sheets) {
       drawMarks(pen, sheets, column, row);
       drawFoot(pen, sheets.pageWidth, sheets.pageHeight,
                fmt::format("Sheet {} of {} (row {}, column {}): {}",
-                           sheetNumber(sheets, column, row), sheets.count(), row + 1, column + 1,
-                           boardText(board)));
+                           sheetNumber(sheets, column, row), sheets.sheetCount(), row + 1,
+                           column + 1, boardText(board)));
     }
   }
   return pages.bytes();
@@ -332,7 +334,7 @@ Result<int> countSheetsToPrint(const BoardDescription& board, const Paper& paper
     return 1;
   }
   return splitOnSheets(board, paper, borderOf(board)).map([](const BoardSheets& sheets) {
-    return sheets.count();
+    return sheets.sheetCount();
   });
 }
 

@@ -17,8 +17,8 @@ constexpr double kSheetEdge = 13.0;
 constexpr double kSheetFoot = 16.0; ///< for the scale bar and the text
 
 int sheetsFor(double length, double part) {
-  return std::max(1, static_cast<int>(std::ceil((length - BoardSheets::kOverlap) /
-                                                (part - BoardSheets::kOverlap))));
+  return std::max(1, static_cast<int>(std::ceil((length - BoardSheets::kOverlapMm) /
+                                                (part - BoardSheets::kOverlapMm))));
 }
 
 BoardSheets splitIn(double boardWidth, double boardHeight, double border, double pageWidth,
@@ -26,21 +26,21 @@ BoardSheets splitIn(double boardWidth, double boardHeight, double border, double
   BoardSheets sheets;
   sheets.pageWidth = pageWidth;
   sheets.pageHeight = pageHeight;
-  sheets.left = kSheetEdge;
-  sheets.top = kSheetEdge;
-  sheets.width = pageWidth - 2.0 * kSheetEdge;
-  sheets.height = pageHeight - 2.0 * kSheetEdge - kSheetFoot;
+  sheets.printedLeft = kSheetEdge;
+  sheets.printedTop = kSheetEdge;
+  sheets.partWidth = pageWidth - 2.0 * kSheetEdge;
+  sheets.partHeight = pageHeight - 2.0 * kSheetEdge - kSheetFoot;
   const double width = boardWidth + 2.0 * border;
   const double height = boardHeight + 2.0 * border;
-  sheets.columns = sheetsFor(width, sheets.width);
-  sheets.rows = sheetsFor(height, sheets.height);
+  sheets.columnCount = sheetsFor(width, sheets.partWidth);
+  sheets.rowCount = sheetsFor(height, sheets.partHeight);
   // What is left over is shared by both ends.
   const double covered =
-      sheets.columns * (sheets.width - BoardSheets::kOverlap) + BoardSheets::kOverlap;
+      sheets.columnCount * (sheets.partWidth - BoardSheets::kOverlapMm) + BoardSheets::kOverlapMm;
   const double coveredDown =
-      sheets.rows * (sheets.height - BoardSheets::kOverlap) + BoardSheets::kOverlap;
-  sheets.firstX = 0.5 * (boardWidth - covered);
-  sheets.firstY = 0.5 * (boardHeight - coveredDown);
+      sheets.rowCount * (sheets.partHeight - BoardSheets::kOverlapMm) + BoardSheets::kOverlapMm;
+  sheets.firstPartLeft = 0.5 * (boardWidth - covered);
+  sheets.firstPartTop = 0.5 * (boardHeight - coveredDown);
   return sheets;
 }
 
@@ -58,7 +58,8 @@ Result<BoardSheets> splitOnSheets(const BoardDescription& board, const Paper& pa
       const BoardSheets sheets =
           splitIn(width, height, border, lengthwise ? paper.height : paper.width,
                   lengthwise ? paper.width : paper.height);
-      if (sheets.count() <= kMaxSheets && (!best || sheets.count() < best->count())) {
+      if (sheets.sheetCount() <= kMaxSheets &&
+          (!best || sheets.sheetCount() < best->sheetCount())) {
         best = sheets;
       }
     }
@@ -74,16 +75,17 @@ Result<BoardSheets> splitOnSheets(const BoardDescription& board, const Paper& pa
 std::vector<BoardPattern::Rectangle>
 rectanglesOnSheet(const BoardSheets& sheets, int column, int row,
                   const std::vector<BoardPattern::Rectangle>& dark) {
-  const double x = sheets.partX(column);
-  const double y = sheets.partY(row);
+  const double x = sheets.partLeft(column);
+  const double y = sheets.partTop(row);
   std::vector<BoardPattern::Rectangle> parts;
   for (const auto& rectangle : dark) {
     const double left = std::max(rectangle.left, x);
     const double top = std::max(rectangle.top, y);
-    const double right = std::min(rectangle.left + rectangle.width, x + sheets.width);
-    const double bottom = std::min(rectangle.top + rectangle.height, y + sheets.height);
+    const double right = std::min(rectangle.left + rectangle.width, x + sheets.partWidth);
+    const double bottom = std::min(rectangle.top + rectangle.height, y + sheets.partHeight);
     if (left < right && top < bottom) {
-      parts.push_back({sheets.left + left - x, sheets.top + top - y, right - left, bottom - top});
+      parts.push_back(
+          {sheets.printedLeft + left - x, sheets.printedTop + top - y, right - left, bottom - top});
     }
   }
   return parts;

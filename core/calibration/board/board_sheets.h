@@ -13,25 +13,25 @@ namespace dewpoint::calibration {
 /// measured from the upper left corner of its grid of squares. Positions on a page are measured
 /// from the upper left corner of the page. In both cases, y points down.
 struct BoardSheets {
-  int columns = 1; ///< sheets side by side
-  int rows = 1;    ///< sheets below each other
+  int columnCount = 1; ///< sheets side by side
+  int rowCount = 1;    ///< sheets below each other
   double pageWidth = 0.0;
   double pageHeight = 0.0;
-  double left = 0.0;   ///< left edge of the printed area, on each page
-  double top = 0.0;    ///< upper edge of the printed area, on each page
-  double width = 0.0;  ///< width of the part of the board on each sheet, including the overlap
-  double height = 0.0; ///< height of the part of the board on each sheet, including the overlap
-  double firstX = 0.0; ///< left edge, on the board, of the part on the first sheet
-  double firstY = 0.0; ///< upper edge, on the board, of the part on the first sheet
+  double printedLeft = 0.0; ///< left edge of the printed area, on each page
+  double printedTop = 0.0;  ///< upper edge of the printed area, on each page
+  double partWidth = 0.0;   ///< width of the part of the board on each sheet, including the overlap
+  double partHeight = 0.0; ///< height of the part of the board on each sheet, including the overlap
+  double firstPartLeft = 0.0; ///< left edge, on the board, of the part on the first sheet
+  double firstPartTop = 0.0;  ///< upper edge, on the board, of the part on the first sheet
 
-  int count() const { return columns * rows; }
+  int sheetCount() const { return columnCount * rowCount; }
   /// Returns the left edge, on the board, of the parts on the sheets in a column (from 0).
-  double partX(int column) const { return firstX + column * (width - kOverlap); }
+  double partLeft(int column) const { return firstPartLeft + column * (partWidth - kOverlapMm); }
   /// Returns the upper edge, on the board, of the parts on the sheets in a row (from 0).
-  double partY(int row) const { return firstY + row * (height - kOverlap); }
+  double partTop(int row) const { return firstPartTop + row * (partHeight - kOverlapMm); }
 
   /// Width of the strip of the board that is printed on both of two neighboring sheets.
-  static constexpr double kOverlap = 10.0;
+  static constexpr double kOverlapMm = 10.0;
 };
 
 /// Splits a board into parts that fit on sheets of `paper`. Chooses portrait or landscape,

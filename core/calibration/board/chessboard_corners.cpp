@@ -124,7 +124,7 @@ Grid ordered(const cv::Mat& gray, const BoardDescription& board, Grid grid) {
       candidate.push_back(grid[at]);
     }
     const double darkness = firstSquareDarkness(gray, candidate, columns);
-    const std::pair rank((darkness > 0.0) != board.inverted, rightward(candidate, columns));
+    const std::pair rank((darkness > 0.0) != board.isInverted, rightward(candidate, columns));
     if (best.empty() || rank > bestRank) {
       best = std::move(candidate);
       bestRank = rank;

@@ -12,11 +12,11 @@ namespace dewpoint::calibration {
 
 /// Chessboard-like grid in an image.
 struct ChessboardSuggestion {
-  cv::Size size; ///< number of inner corners; width >= height
+  cv::Size innerCorners; ///< number of inner corners; width >= height
   /// True if the grid is a complete chessboard (isWholeChessboard()). If false, the grid may be
   /// only part of a board, may continue beyond the detected corners, or may not be a chessboard at
   /// all.
-  bool whole = false;
+  bool isWhole = false;
 };
 
 /// Returns the largest chessboard-like grid in an image (CV_8UC1), or nothing.

@@ -75,8 +75,8 @@ double smallestSpacing(const std::vector<cv::Point2f>& grid, int columns) {
   return least;
 }
 
-double edgeWidth(const cv::Mat& gray, const BoardDescription& board,
-                 const BoardDetection& detection, double reach) {
+double measureEdgeWidth(const cv::Mat& gray, const BoardDescription& board,
+                        const BoardDetection& detection, double reach) {
   std::map<int, Eigen::Vector2d> places;
   for (std::size_t k = 0; k < detection.ids.size(); ++k) {
     places[detection.ids[k]] = detection.pixels[k];

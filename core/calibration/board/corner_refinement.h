@@ -25,8 +25,8 @@ double smallestSpacing(const std::vector<cv::Point2f>& grid, int columns);
 /// if nothing could be measured. The width of an edge is the contrast across it divided by its
 /// steepest slope. `reach` is the distance from an edge, in squares, up to which the board is plain
 /// black on one side and plain white on the other.
-double edgeWidth(const cv::Mat& gray, const BoardDescription& board,
-                 const BoardDetection& detection, double reach);
+double measureEdgeWidth(const cv::Mat& gray, const BoardDescription& board,
+                        const BoardDetection& detection, double reach);
 
 /// Returns the interpolated gray level at a point between pixels. For points outside the image,
 /// returns the gray level at the nearest point of the image.

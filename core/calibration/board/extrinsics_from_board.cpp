@@ -61,7 +61,7 @@ public:
   Extrinsics(const ExtrinsicsRequest& request, const CalibrationProgress& progress,
              BoardChain chain)
       : request_(request), progress_(progress), chain_(std::move(chain)),
-        refined_(request.cameras.size(), request.refineIntrinsics) {}
+        refined_(request.cameras.size(), request.refinesIntrinsics) {}
 
   Result<ExtrinsicsResult> run() {
     if (const auto solved = solve(); !solved) {
@@ -95,7 +95,7 @@ private:
       }
     }
     markDoubtful(fits_);
-    if (std::ranges::none_of(fits_, &ViewFit::doubtful)) {
+    if (std::ranges::none_of(fits_, &ViewFit::isDoubtful)) {
       // Nothing is to be feared any more: plain least squares are the better estimate.
       return adjust(RobustLoss::None, lossWidth);
     }
@@ -164,7 +164,7 @@ private:
     for (std::size_t k = 0; k < request_.cameras.size(); ++k) {
       BundleCamera camera;
       camera.camera = adjusted_.empty() ? request_.cameras[k].camera : adjusted_[k];
-      camera.camera.cameraFromWorld = chain_.cameraFromFirst[k];
+      camera.camera.cameraFromWorld = chain_.cameraFromFirstCamera[k];
       camera.isPoseFixed = k == 0;
       camera.isFocalFree = refined_[k];
       camera.isPrincipalPointFree = refined_[k];
@@ -188,8 +188,8 @@ private:
       index = problem.states.size();
       BundleState state;
       state.time = static_cast<double>(index);
-      state.isKnown = true;
-      state.worldFromBoard = chain_.firstFromBoard[instant];
+      state.isPositionKnown = true;
+      state.worldFromBoard = chain_.firstCameraFromBoard[instant];
       problem.states.push_back(state);
     }
     for (const PosedView& view : chain_.views) {
@@ -208,12 +208,12 @@ private:
     }
     adjusted_ = result->cameras;
     for (std::size_t k = 0; k < adjusted_.size(); ++k) {
-      chain_.cameraFromFirst[k] = adjusted_[k].cameraFromWorld;
+      chain_.cameraFromFirstCamera[k] = adjusted_[k].cameraFromWorld;
     }
     for (const auto& [instant, state] : states) {
-      chain_.firstFromBoard[instant] = result->states[state].worldFromBoard;
+      chain_.firstCameraFromBoard[instant] = result->states[state].worldFromBoard;
     }
-    iterations_ += result->iterations;
+    iterations_ += result->iterationCount;
     problem_ = std::move(problem);
     bundle_ = std::move(*result);
     refit();
@@ -225,9 +225,9 @@ private:
     for (const PosedView& view : chain_.views) {
       BoardView counted = *view.view;
       counted.detection = view.detection;
-      fits_.push_back(
-          fitView(request_.board, counted, adjusted_[view.camera],
-                  chain_.cameraFromFirst[view.camera] * chain_.firstFromBoard[view.view->instant]));
+      fits_.push_back(fitView(request_.board, counted, adjusted_[view.camera],
+                              chain_.cameraFromFirstCamera[view.camera] *
+                                  chain_.firstCameraFromBoard[view.view->instant]));
     }
   }
 
@@ -269,21 +269,22 @@ private:
   }
 
   Result<Eigen::Isometry3d> worldFromFirst() const {
-    if (!request_.worldInstant) {
+    if (!request_.worldDefiningInstant) {
       return request_.cameras.front().camera.cameraFromWorld.inverse();
     }
     std::set<std::int64_t> seen;
     for (const PosedView& view : chain_.views) {
       seen.insert(view.view->instant);
     }
-    if (!seen.contains(*request_.worldInstant)) {
+    if (!seen.contains(*request_.worldDefiningInstant)) {
       return failure(
           ErrorCode::Undetermined, "", "world",
           fmt::format(
               "no camera saw the board well at {}, where it should define the world coordinates",
-              *request_.worldInstant));
+              *request_.worldDefiningInstant));
     }
-    return request_.worldFromBoard * chain_.firstFromBoard.at(*request_.worldInstant).inverse();
+    return request_.worldFromBoard *
+           chain_.firstCameraFromBoard.at(*request_.worldDefiningInstant).inverse();
   }
 
   Result<ExtrinsicsResult> finished() {
@@ -294,30 +295,30 @@ private:
     markDoubtful(fits_);
     ExtrinsicsResult result;
     result.rmsPx = overallRms(fits_);
-    result.iterations = iterations_;
+    result.iterationCount = iterations_;
     result.notices = chain_.notices;
-    result.fits.resize(adjusted_.size());
+    result.cameraFits.resize(adjusted_.size());
     for (std::size_t k = 0; k < adjusted_.size(); ++k) {
       Camera camera = adjusted_[k];
-      camera.cameraFromWorld = chain_.cameraFromFirst[k] * world->inverse();
+      camera.cameraFromWorld = chain_.cameraFromFirstCamera[k] * world->inverse();
       result.cameras.push_back(camera);
     }
     std::set<std::int64_t> seen;
     for (std::size_t k = 0; k < fits_.size(); ++k) {
-      CameraFit& fit = result.fits[chain_.views[k].camera];
+      CameraFit& fit = result.cameraFits[chain_.views[k].camera];
       const auto& in = adjusted_[chain_.views[k].camera].intrinsics;
       fit.coverage.add(fits_[k].pixels, tiltOf(fits_[k].cameraFromBoard), in.width, in.height);
       fit.views.push_back(std::move(fits_[k]));
       seen.insert(fit.views.back().instant);
     }
     for (const std::int64_t instant : seen) {
-      result.boardPoses.push_back({instant, *world * chain_.firstFromBoard[instant]});
+      result.boardPoses.push_back({instant, *world * chain_.firstCameraFromBoard[instant]});
     }
     transformToWorld(*world, problem_, bundle_);
     result.covariance = bundle_.covariance;
-    result.covariance.matrix *= bundle_.noiseFactor * bundle_.noiseFactor;
-    for (std::size_t k = 0; k < result.fits.size(); ++k) {
-      CameraFit& fit = result.fits[k];
+    result.covariance.matrix *= bundle_.residualToSigmaRatio * bundle_.residualToSigmaRatio;
+    for (std::size_t k = 0; k < result.cameraFits.size(); ++k) {
+      CameraFit& fit = result.cameraFits[k];
       fit.isLensRefined = refined_[k];
       fit.rmsPx = overallRms(fit.views);
       fit.views.insert(fit.views.end(), chain_.leftOutViews[k].begin(),

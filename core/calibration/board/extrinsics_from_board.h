@@ -35,14 +35,14 @@ struct ExtrinsicsRequest {
   std::vector<BoardCamera> cameras;
   /// Instant (BoardView::instant) at which the board has the pose `worldFromBoard`. This defines
   /// the world. If empty, the first camera keeps its pose, which defines the world.
-  std::optional<std::int64_t> worldInstant;
+  std::optional<std::int64_t> worldDefiningInstant;
   Eigen::Isometry3d worldFromBoard = worldFromFlatBoard();
   /// True to adjust the intrinsics as well: the focal lengths (a single one if both are equal), the
   /// principal point, and the distortion coefficients that are not zero. A camera keeps its
   /// intrinsics, and a notice names the camera, in two cases: its views do not determine the
   /// intrinsics (kUndeterminedRayShare), or the new intrinsics would be inaccurate (kWorstRayPx)
   /// and less accurate than BoardCamera::intrinsicsErrorPx.
-  bool refineIntrinsics = false;
+  bool refinesIntrinsics = false;
 };
 
 /// Pose of the board at one instant (BoardView::instant).
@@ -68,12 +68,12 @@ struct CameraFit {
 /// Output of calibrateExtrinsics(): the camera poses estimated from views of a board.
 struct ExtrinsicsResult {
   CameraRig cameras; ///< cameras with their new poses, in the order of the request
-  std::vector<CameraFit> fits;
+  std::vector<CameraFit> cameraFits;
   std::vector<BoardPose> boardPoses; ///< poses of the board, in ascending order of instants
   double rmsPx = 0.0;
   /// Covariance of the camera poses, scaled to match the size of the residuals.
   BundleCovariance covariance;
-  int iterations = 0;
+  int iterationCount = 0;
   std::vector<std::string> notices; ///< messages for the user
   BundleProblem problem; ///< bundle adjustment problem solved last, in the result's world frame
   /// Solution of `problem`. Its covariance assumes the pixel sigmas of `problem` and is not scaled
@@ -93,7 +93,7 @@ struct ExtrinsicsResult {
 /// Errors:
 /// - NotFound if there is no camera;
 /// - Undetermined, which names the cameras that share no instant with the others;
-/// - Undetermined, which names `worldInstant`, if the board was not seen at that instant;
+/// - Undetermined, which names `worldDefiningInstant`, if the board was not seen at that instant;
 /// - Canceled;
 /// - the errors of adjustBundle().
 Result<ExtrinsicsResult> calibrateExtrinsics(const ExtrinsicsRequest& request,

@@ -143,7 +143,7 @@ std::vector<ViewNormalEquations> normalEquationsOfViews(const BoardDescription& 
     }
     const Eigen::MatrixXd lens = byIntrinsics(camera, parameters, points);
     const Eigen::MatrixXd pose = byPose(camera, points, kPose);
-    if (!view.used || !lens.allFinite() || !pose.allFinite()) {
+    if (!view.isUsed || !lens.allFinite() || !pose.allFinite()) {
       continue;
     }
     Eigen::VectorXd residuals(2 * static_cast<Eigen::Index>(points.size()));
@@ -171,7 +171,7 @@ Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera
   double squares = 0.0;
   Eigen::Index freedom = -size;
   for (const ViewFit& view : views) {
-    if (!view.used) {
+    if (!view.isUsed) {
       continue;
     }
     for (const Eigen::Vector2d& residual : view.residuals) {
@@ -219,7 +219,7 @@ Camera lensWithoutViews(const IntrinsicsResult& result, std::int64_t first, std:
                                    lensChangeWithoutViews(result.viewNormalEquations, first, end));
 }
 
-Eigen::MatrixXd lensJackknife(const std::vector<ViewNormalEquations>& evidence) {
+Eigen::MatrixXd lensJackknifeCovariance(const std::vector<ViewNormalEquations>& evidence) {
   const std::size_t count = evidence.size();
   const std::size_t blocks = std::min(kMostLensBlocks, count);
   if (blocks < kLeastBlocks) {

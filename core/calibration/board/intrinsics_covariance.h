@@ -62,7 +62,7 @@ Camera lensWithoutViews(const IntrinsicsResult& result, std::int64_t first, std:
 /// corners of a view, or neighboring views, share. The covariance is enlarged so that 1.96 standard
 /// deviations bound 95 % of the errors despite the small number of results (Student's t). Returns
 /// an empty matrix if there are fewer than four views.
-Eigen::MatrixXd lensJackknife(const std::vector<ViewNormalEquations>& evidence);
+Eigen::MatrixXd lensJackknifeCovariance(const std::vector<ViewNormalEquations>& evidence);
 
 /// Returns `covariance` with each variance replaced by the variance in `found`, if the latter is
 /// larger. The correlations do not change.

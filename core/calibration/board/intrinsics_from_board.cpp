@@ -130,7 +130,7 @@ public:
       }
     }
     IntrinsicsResult result = finished();
-    if (const auto plausible = checkPlausible(result); !plausible) {
+    if (const auto plausible = checkPlausibility(result); !plausible) {
       return tl::make_unexpected(plausible.error());
     }
     return result;
@@ -213,7 +213,7 @@ private:
 
   /// A board with another number of corners than was said can be found and solved, too; but then
   /// nothing fits.
-  Status checkPlausible(const IntrinsicsResult& result) const {
+  Status checkPlausibility(const IntrinsicsResult& result) const {
     const double limit = kMostRms * std::hypot(request_.width, request_.height);
     const double focal = result.camera.intrinsics.focalX;
     if (result.rmsPx <= limit && focal <= kLongestFocal * request_.width) {
@@ -236,7 +236,7 @@ private:
     const IntrinsicsParameters parameters(request_.model, square_);
     const Eigen::MatrixXd stated = intrinsicsCovariance(request_.board, camera_, parameters, fits_);
     result.viewNormalEquations = normalEquationsOfViews(request_.board, camera_, parameters, fits_);
-    const Eigen::MatrixXd found = lensJackknife(result.viewNormalEquations);
+    const Eigen::MatrixXd found = lensJackknifeCovariance(result.viewNormalEquations);
     result.covariance = widenedCovariance(stated, found);
     result.independentProjectionSigmaPx = projectionSigma(camera_, parameters, stated);
     result.maxProjectionSigmaPx = result.independentProjectionSigmaPx;

@@ -41,13 +41,13 @@ int MarkerDictionary::size() const {
   return data_->dictionary.bytesList.rows;
 }
 
-int MarkerDictionary::cells() const {
+int MarkerDictionary::cellsPerRow() const {
   return data_->dictionary.markerSize;
 }
 
 cv::Mat MarkerDictionary::cellsOf(int id) const {
   return cv::aruco::Dictionary::getBitsFromByteList(
-      data_->dictionary.bytesList.rowRange(id, id + 1), cells());
+      data_->dictionary.bytesList.rowRange(id, id + 1), cellsPerRow());
 }
 
 MarkerDictionary::Detections MarkerDictionary::detect(const cv::Mat& gray,

@@ -25,7 +25,7 @@ public:
   /// Returns the number of markers in the dictionary. Their ids count from 0.
   int size() const;
   /// Returns the number of cells in a row of a marker, without its black border.
-  int cells() const;
+  int cellsPerRow() const;
   /// Returns the cells of a marker without its border: CV_8UC1, 0 for black and 1 for white.
   cv::Mat cellsOf(int id) const;
 

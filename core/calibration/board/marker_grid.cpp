@@ -24,11 +24,11 @@ constexpr double kMostMarkerPart = 0.97;
 constexpr std::size_t kMostEqualGrids = 3;
 
 /// Column and row of the squares with markers 0 to `lastId`.
-std::vector<cv::Point> squaresWithMarkers(int columns, bool whiteFirst, int lastId) {
+std::vector<cv::Point> squaresWithMarkers(int columns, bool isFirstSquareWhite, int lastId) {
   std::vector<cv::Point> squares;
   for (int row = 0; static_cast<int>(squares.size()) <= lastId; ++row) {
     for (int column = 0; column < columns; ++column) {
-      if ((column + row) % 2 == (whiteFirst ? 0 : 1)) {
+      if ((column + row) % 2 == (isFirstSquareWhite ? 0 : 1)) {
         squares.emplace_back(column, row);
       }
     }
@@ -111,9 +111,9 @@ PlacedMarkers markersAtPlace(const std::vector<ReadMarker>& markers,
 }
 
 MarkerGrid gridAsSeen(const std::vector<std::vector<ReadMarker>>& images, int columns,
-                      bool whiteFirst, int lastId) {
-  MarkerGrid grid{columns, 0, whiteFirst, 0.0, 0, 0};
-  const auto squares = squaresWithMarkers(columns, whiteFirst, lastId);
+                      bool isFirstSquareWhite, int lastId) {
+  MarkerGrid grid{columns, 0, isFirstSquareWhite, 0.0, 0, 0};
+  const auto squares = squaresWithMarkers(columns, isFirstSquareWhite, lastId);
   std::vector<double> sides;
   for (const auto& markers : images) {
     const auto placed = markersAtPlace(markers, squares);
@@ -127,7 +127,7 @@ MarkerGrid gridAsSeen(const std::vector<std::vector<ReadMarker>>& images, int co
   if (!sides.empty()) {
     grid.markerToSquareRatio = upperMedian(std::move(sides));
   }
-  if (whiteFirst && grid.rows % 2 != 0) {
+  if (isFirstSquareWhite && grid.rows % 2 != 0) {
     ++grid.rows; // only boards with even rows begin with a white square: the last was not seen
   }
   return grid;
@@ -144,8 +144,8 @@ std::vector<MarkerGrid> findMarkerGrids(const std::vector<std::vector<ReadMarker
   }
   std::vector<MarkerGrid> best;
   for (int columns = 2; most >= kLeastMarkersAtPlace && columns <= kMostGridColumns; ++columns) {
-    for (const bool whiteFirst : {false, true}) {
-      MarkerGrid grid = gridAsSeen(images, columns, whiteFirst, lastId);
+    for (const bool isFirstSquareWhite : {false, true}) {
+      MarkerGrid grid = gridAsSeen(images, columns, isFirstSquareWhite, lastId);
       if (grid.imageCount == 0 || (!best.empty() && grid.markerCount < best.front().markerCount)) {
         continue;
       }

@@ -9,9 +9,9 @@ namespace dewpoint::calibration {
 
 /// Arrangement of the numbered markers of a ChArUco board.
 struct MarkerGrid {
-  int columns = 0;         ///< squares in a row
-  int rows = 0;            ///< squares in a column, down to the lowest marker that was seen
-  bool whiteFirst = false; ///< the first square is white and contains marker 0
+  int columns = 0;                 ///< squares in a row
+  int rows = 0;                    ///< squares in a column, down to the lowest marker that was seen
+  bool isFirstSquareWhite = false; ///< the first square is white and contains marker 0
   double markerToSquareRatio = 0.0; ///< side of a marker as a fraction of the side of a square
   int imageCount = 0;               ///< number of images that show the arrangement
   /// Number of detected markers, over all given images, whose positions agree with the arrangement.

@@ -53,7 +53,7 @@ std::uint64_t numberOfCells(const cv::Mat& cells) {
 CodeTable makeCodeTable(const std::string& name) {
   const MarkerDictionary dictionary(name);
   CodeTable table;
-  table.cells = dictionary.cells();
+  table.cells = dictionary.cellsPerRow();
   for (int id = 0; id < dictionary.size(); ++id) {
     cv::Mat cells = dictionary.cellsOf(id);
     for (int rotation = 0; rotation < 4; ++rotation) {

@@ -16,16 +16,16 @@ namespace dewpoint::calibration {
 struct ReadMarker {
   int id = 0; ///< number in its dictionary
   /// Corners in pixels (pixel centers are at integers), clockwise from the marker's own upper left
-  /// corner. If MarkerReading::mirrored is true, they are positions in the mirrored image.
+  /// corner. If MarkerReading::isMirrored is true, they are positions in the mirrored image.
   std::array<cv::Point2f, 4> corners;
 };
 
 /// Code (family of dictionaries with equally many cells) with which markers were read, and the
 /// version of the image in which they were read.
 struct MarkerReading {
-  int code = 0;          ///< index in markerCodes()
-  bool inverted = false; ///< black and white are exchanged
-  bool mirrored = false; ///< the image is mirrored left to right
+  int codeIndex = 0;          ///< index in markerCodes()
+  bool isInverted = false; ///< black and white are exchanged
+  bool isMirrored = false; ///< the image is mirrored left to right
 
   auto operator<=>(const MarkerReading&) const = default; // NOLINT(modernize-use-nullptr)
 };

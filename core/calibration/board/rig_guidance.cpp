@@ -21,7 +21,8 @@ bool RigGuidance::isStill(double seconds,
   for (std::size_t k = 0; k < widths_.size(); ++k) {
     if (detections[k]) {
       const auto moved = last_[k] ? motionBetween(*last_[k], *detections[k]) : std::nullopt;
-      const double allowed = settings_.maxStillSpeed * widths_[k] * (seconds - lastSeconds_);
+      const double allowed =
+          settings_.maxStillWidthsPerSecond * widths_[k] * (seconds - lastSeconds_);
       still = still && moved && *moved <= allowed;
     }
   }
@@ -36,7 +37,7 @@ bool RigGuidance::isNew(const std::vector<std::optional<BoardDetection>>& detect
     const auto seen = std::ranges::find(views, instant, &BoardView::instant);
     const auto apart =
         seen == views.end() ? std::nullopt : motionBetween(seen->detection, *detections[camera]);
-    return apart && *apart < settings_.minDistanceFraction * widths_[camera];
+    return apart && *apart < settings_.minDistanceWidths * widths_[camera];
   };
   for (int instant = 0; instant < instants_; ++instant) {
     bool known = true; // to all cameras that see it now, at that one instant
@@ -71,7 +72,7 @@ void RigGuidance::suggest(State& state) const {
     }
     reached.insert(ends.second);
   }
-  state.finished = true;
+  state.isFinished = true;
 }
 
 bool RigGuidance::areSeenByTwo() const {
@@ -90,7 +91,7 @@ void RigGuidance::capture(State& state) {
   }
   ++instants_;
   stillSince_ = lastSeconds_;
-  state.captured = true;
+  state.wasCaptured = true;
 }
 
 RigGuidance::State RigGuidance::state() const {
@@ -106,16 +107,16 @@ RigGuidance::State RigGuidance::captureNow() {
     capture(taken);
   }
   State now = state();
-  now.captured = taken.captured;
+  now.wasCaptured = taken.wasCaptured;
   return now;
 }
 
-void RigGuidance::requireMore(int instants) {
+void RigGuidance::requireMoreInstants(int instants) {
   settings_.instantsPerPair += instants;
 }
 
-RigGuidance::State RigGuidance::step(double seconds,
-                                     const std::vector<std::optional<BoardDetection>>& detections) {
+RigGuidance::State
+RigGuidance::update(double seconds, const std::vector<std::optional<BoardDetection>>& detections) {
   State state;
   const bool still = isStill(seconds, detections);
   if (!still || !areSeenByTwo()) {

@@ -16,19 +16,19 @@ class RigGuidance {
 public:
   struct Settings {
     /// Speed below which the board counts as still, in image widths per second.
-    double maxStillSpeed = 0.05;
+    double maxStillWidthsPerSecond = 0.05;
     double holdSeconds = 0.5; ///< time for which the board must be still before it is captured
     /// Required number of instants at which both cameras see the board, for each pair in the chain
     /// that connects the cameras.
     int instantsPerPair = 8;
     /// Minimum distance between captured positions of the board, as a fraction of the image width.
-    double minDistanceFraction = 0.1;
+    double minDistanceWidths = 0.1;
   };
   /// State of the guidance after the latest detections were processed.
   struct State {
-    int instantCount = 0;  ///< number of instants captured so far
-    bool captured = false; ///< true if the latest detections were captured
-    bool finished = false; ///< true if all cameras are connected by enough captured instants
+    int instantCount = 0;     ///< number of instants captured so far
+    bool wasCaptured = false; ///< true if the latest detections were captured
+    bool isFinished = false;  ///< true if all cameras are connected by enough captured instants
     /// Elapsed fraction of the time for which the board must be still, 0 to 1.
     double holdProgress = 0.0;
     /// Indices of the cameras to which the board should be shown together next; -1 when finished.
@@ -40,13 +40,13 @@ public:
 
   /// Processes the current detections of all cameras. `seconds` is their time by any clock. Views
   /// that are captured together get the same BoardView::instant.
-  State step(double seconds, const std::vector<std::optional<BoardDetection>>& detections);
+  State update(double seconds, const std::vector<std::optional<BoardDetection>>& detections);
   /// Captures the latest detections at the user's request, even if the board is not still. Does
   /// nothing if fewer than two cameras saw the board.
   State captureNow();
   /// Asks for more views: increases Settings::instantsPerPair, the required number for each pair of
   /// cameras, by `instants`.
-  void requireMore(int instants);
+  void requireMoreInstants(int instants);
   /// Returns the current state without new detections.
   State state() const;
   /// Returns the captured views per camera, in the form used by calibrateExtrinsics().

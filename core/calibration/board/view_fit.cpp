@@ -34,7 +34,7 @@ ViewFit fitView(const BoardDescription& board, const BoardView& view, const Came
   fit.name = view.name;
   fit.instant = view.instant;
   fit.cameraFromBoard = cameraFromBoard;
-  fit.tilt = tiltAngle(cameraFromBoard, board.center());
+  fit.tiltAngle = tiltAngle(cameraFromBoard, board.center());
   fit.ids = view.detection.ids;
   fit.pixels = view.detection.pixels;
   Camera placed = camera;
@@ -55,7 +55,7 @@ ViewFit leftOutView(const BoardView& view, std::string reason) {
   ViewFit fit;
   fit.name = view.name;
   fit.instant = view.instant;
-  fit.used = false;
+  fit.isUsed = false;
   fit.reason = std::move(reason);
   fit.ids = view.detection.ids;
   fit.pixels = view.detection.pixels;
@@ -78,8 +78,8 @@ double maxViewErrorPx(double median, const Intrinsics& image) {
 void markDoubtful(std::vector<ViewFit>& fits) {
   const double median = medianRms(fits);
   for (ViewFit& fit : fits) {
-    if (fit.used && fit.rmsPx > kDoubtfulFactor * median) {
-      fit.doubtful = true;
+    if (fit.isUsed && fit.rmsPx > kDoubtfulFactor * median) {
+      fit.isDoubtful = true;
       fit.reason = fmt::format(
           "the corners in this image are {:.2f} px off, those in the median image {:.2f} px",
           fit.rmsPx, median);
@@ -91,7 +91,7 @@ double overallRms(const std::vector<ViewFit>& fits) {
   double squares = 0.0;
   double count = 0.0;
   for (const ViewFit& fit : fits) {
-    if (fit.used) {
+    if (fit.isUsed) {
       squares += fit.rmsPx * fit.rmsPx * static_cast<double>(fit.ids.size());
       count += static_cast<double>(fit.ids.size());
     }

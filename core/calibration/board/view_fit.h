@@ -24,14 +24,14 @@ struct BoardView {
 struct ViewFit {
   std::string name;
   std::int64_t instant = 0;
-  bool used = true;
+  bool isUsed = true;
   /// True if the view is used although its error is more than three times the median error.
-  bool doubtful = false;
+  bool isDoubtful = false;
   std::string reason; ///< why the view was left out or is doubtful
   /// Root mean square distance between the view's corners and their projections, pixels.
   double rmsPx = 0.0;
   /// Angle between the board's normal and the direction to the camera (tiltAngle()), radians.
-  double tilt = 0.0;
+  double tiltAngle = 0.0;
   Eigen::Isometry3d cameraFromBoard = Eigen::Isometry3d::Identity();
   std::vector<int> ids;
   std::vector<Eigen::Vector2d> pixels; ///< measured positions of the corners

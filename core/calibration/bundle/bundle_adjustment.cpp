@@ -55,7 +55,7 @@ public:
     options.callbacks.push_back(&stop);
     ceres::Solver::Summary summary;
     const auto begin = std::chrono::steady_clock::now();
-    ceres::Solve(options, &model_.solver, &summary);
+    ceres::Solve(options, &model_.ceresProblem, &summary);
     if (summary.termination_type == ceres::USER_FAILURE) {
       return failure(ErrorCode::Canceled, "", "", "");
     }
@@ -68,11 +68,11 @@ public:
                                  model_.problem.maxIterations));
     }
     BundleResult result = solution();
-    result.iterations = static_cast<int>(summary.iterations.size());
+    result.iterationCount = static_cast<int>(summary.iterations.size());
     if (auto known = model_.problem.isDraft ? Status() : addCovariance(result); !known) {
       return tl::make_unexpected(known.error());
     }
-    result.seconds =
+    result.computationSeconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;
   }
@@ -87,8 +87,8 @@ private:
     options.parameter_tolerance = kParameterTolerance;
     options.logging_type = ceres::SILENT;
     options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
-    if (model_.start
-            .moving) { // neighboring instants meet in one residual: nothing to eliminate at once
+    if (model_.start.hasInterpolation) { // neighboring instants meet in one residual: nothing to
+                                         // eliminate at once
       options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
       return options;
     }
@@ -126,7 +126,7 @@ private:
         const Eigen::Map<const Eigen::Vector3d> turn(blocks.pose.data());
         const Eigen::Map<const Eigen::Vector3d> center(blocks.pose.data() + 3);
         const Eigen::Quaterniond rotation(
-            Eigen::Matrix3d(rotationExponential(turn) * blocks.rotation));
+            Eigen::Matrix3d(rotationExponential(turn) * blocks.referenceRotation));
         camera.cameraFromWorld.linear() = rotation.normalized().toRotationMatrix();
         camera.cameraFromWorld.translation() = -camera.cameraFromWorld.linear() * center;
       }
@@ -147,10 +147,11 @@ private:
   void takeState(std::size_t s, BundleState& state) {
     const Eigen::Map<const Eigen::Vector3d> first(model_.states[s].values.data());
     const Eigen::Map<const Eigen::Vector3d> second(model_.states[s].values.data() + 3);
-    state.isKnown =
+    state.isPositionKnown =
         model_.start.isStateUsed[s] && model_.isInProblem(model_.states[s].values.data());
     if (model_.problem.bodies[state.body].kind == Kind::Board) {
-      state.worldFromBoard.linear() = rotationExponential(first) * model_.states[s].rotation;
+      state.worldFromBoard.linear() =
+          rotationExponential(first) * model_.states[s].referenceRotation;
       state.worldFromBoard.translation() = second;
     } else {
       state.ends = {first, second};
@@ -176,16 +177,16 @@ private:
       sum += squares;
     }
     result.usedObservationCount = model_.usedObservationCount;
-    result.rms =
+    result.rmsPx =
         std::sqrt(sum / static_cast<double>(std::max<std::size_t>(model_.usedObservationCount, 1)));
     for (std::size_t c = 0; c < sums.size(); ++c) {
-      result.cameraRms.push_back(
+      result.cameraRmsPx.push_back(
           counts[c] == 0 ? none : std::sqrt(sums[c] / static_cast<double>(counts[c])));
     }
   }
 
   /// The world's freedoms that nothing in the problem ties down.
-  int gaugeFreedoms() const {
+  int gaugeFreedomCount() const {
     std::size_t anchors = 0;
     for (const BundleCamera& camera : model_.problem.cameras) {
       anchors += camera.isPoseFixed || camera.posePrior ? 1 : 0;
@@ -233,7 +234,7 @@ private:
 
   Status addCovariance(BundleResult& result) {
     BundleCovariance& covariance = result.covariance;
-    covariance.gaugeFreedoms = gaugeFreedoms();
+    covariance.gaugeFreedomCount = gaugeFreedomCount();
     ceres::Problem::EvaluateOptions options;
     options.num_threads = 1;
     options.parameter_blocks = varyingBlocks(covariance.columns);
@@ -242,7 +243,7 @@ private:
     }
     double cost = 0.0;
     ceres::CRSMatrix rows;
-    if (!model_.solver.Evaluate(options, &cost, nullptr, nullptr, &rows)) {
+    if (!model_.ceresProblem.Evaluate(options, &cost, nullptr, nullptr, &rows)) {
       return failure(ErrorCode::Undetermined, "", "", "the optimization failed numerically");
     }
     using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
@@ -250,13 +251,13 @@ private:
         rows.num_rows, rows.num_cols, static_cast<int>(rows.values.size()), rows.rows.data(),
         rows.cols.data(), rows.values.data());
     const double freedoms =
-        static_cast<double>(rows.num_rows - rows.num_cols + covariance.gaugeFreedoms);
-    result.noiseFactor = freedoms > 0.0 ? std::sqrt(2.0 * cost / freedoms) : 0.0;
+        static_cast<double>(rows.num_rows - rows.num_cols + covariance.gaugeFreedomCount);
+    result.residualToSigmaRatio = freedoms > 0.0 ? std::sqrt(2.0 * cost / freedoms) : 0.0;
     const auto cameraColumns = static_cast<Eigen::Index>(covariance.columns.size());
     if (cameraColumns == 0) {
       return {};
     }
-    auto matrix = reducedCovariance(jacobian, cameraColumns, covariance.gaugeFreedoms);
+    auto matrix = reducedCovariance(jacobian, cameraColumns, covariance.gaugeFreedomCount);
     if (freedoms <= 0.0 || !matrix) {
       return failure(ErrorCode::Undetermined, "", "",
                      "the observed positions and directions do not determine the cameras");

@@ -71,7 +71,7 @@ struct BundleState {
   double time = 0.0; ///< time at which the body has this position, seconds
   /// True if this state contains a start value for the position of the body. If false, the points
   /// of the body are triangulated, which is not possible for boards.
-  bool isKnown = false;
+  bool isPositionKnown = false;
   /// True if the position of the body in this state is exact and stays fixed, so that it defines
   /// the world.
   bool isFixed = false;
@@ -111,7 +111,7 @@ struct BundleProblem {
   double lossWidth = 2.0;
   /// Maximum time between two neighboring states, in seconds. Across a longer gap, the positions of
   /// points and sticks are not interpolated.
-  double longestGap = 0.2;
+  double maxStateGapSeconds = 0.2;
   int maxIterations = 200;
   /// True for a quick intermediate result. The adjustment then stops when the cost changes by less
   /// than 1e-5, or after maxIterations even without convergence. The covariance is not computed.
@@ -123,28 +123,29 @@ struct BundleResult {
   CameraRig cameras;
   /// Offset to add to the times of each camera's observations, seconds.
   std::vector<double> timeOffsets;
-  /// The given states with adjusted values; `isKnown` is true where the solution determines them.
+  /// The given states with adjusted values; `isPositionKnown` is true where the solution determines
+  /// them.
   std::vector<BundleState> states;
   /// Predicted minus observed image point for each observation, pixels; NaN for observations that
   /// could not be used.
   std::vector<Eigen::Vector2d> residuals;
   /// RMS residual length per camera over all used image points, pixels.
-  std::vector<double> cameraRms;
-  double rms = 0.0;                     ///< RMS residual length over all cameras, pixels
+  std::vector<double> cameraRmsPx;
+  double rmsPx = 0.0;                   ///< RMS residual length over all cameras, pixels
   std::size_t usedObservationCount = 0; ///< number of observations used
   /// Ratio of the residuals to the given sigmas, robustly weighted and corrected for the degrees of
   /// freedom. Multiply `covariance` by the square of this ratio to scale it to the actual size of
   /// the residuals.
-  double noiseFactor = 1.0;
+  double residualToSigmaRatio = 1.0;
   BundleCovariance covariance; ///< covariance of the cameras, for the given sigmas
-  int iterations = 0;
-  double seconds = 0.0;
+  int iterationCount = 0;
+  double computationSeconds = 0.0;
 };
 
 /// Progress of an adjustment.
 struct BundleProgress {
   int iteration = 0;
-  double rms = 0.0; ///< RMS residual length, pixels, robustly weighted
+  double rmsPx = 0.0; ///< RMS residual length, pixels, robustly weighted
 };
 /// Callback for the progress of a bundle adjustment. It returns false to stop the computation.
 using BundleCallback = std::function<bool(const BundleProgress&)>;

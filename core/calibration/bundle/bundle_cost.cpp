@@ -141,8 +141,8 @@ PixelCost::PixelCost(PixelCostSetup setup) : setup_(std::move(setup)) {
   set_num_residuals(2);
   auto* sizes = mutable_parameter_block_sizes();
   *sizes = {kPoseSize, kLensSize, 1};
-  const std::size_t states = setup_.knots.empty() ? 1 : setup_.knots.size();
-  sizes->insert(sizes->end(), states, setup_.ballStateSize);
+  const std::size_t states = setup_.knotTimes.empty() ? 1 : setup_.knotTimes.size();
+  sizes->insert(sizes->end(), states, setup_.stateBlockSize);
 }
 
 bool PixelCost::Evaluate(double const* const* parameters, double* residuals,
@@ -163,7 +163,7 @@ bool PixelCost::Evaluate(double const* const* parameters, double* residuals,
     world = onBoard + Eigen::Map<const Eigen::Vector3d>(parameters[3] + 3);
   } else {
     if (states > 1) {
-      pathWeights(setup_.knots, setup_.time + parameters[2][0], weights, slopes);
+      pathWeights(setup_.knotTimes, setup_.imageTime + parameters[2][0], weights, slopes);
     }
     for (std::size_t j = 0; j < states; ++j) {
       const Eigen::Map<const Eigen::Vector3d> knot(parameters[3 + j] + setup_.pointOffset);
@@ -205,7 +205,7 @@ bool PixelCost::Evaluate(double const* const* parameters, double* residuals,
     if (jacobians[3 + j] == nullptr) {
       continue;
     }
-    Block block(jacobians[3 + j], 2, setup_.ballStateSize);
+    Block block(jacobians[3 + j], 2, setup_.stateBlockSize);
     block.setZero();
     if (setup_.boardRotation) {
       block.leftCols<3>() = byWorld * rotationExponentialDerivative(boardTurn, onBoard);

@@ -50,12 +50,12 @@ struct PixelCostSetup {
   /// of the board is relative to it. Nothing for a free point.
   std::optional<Eigen::Matrix3d> boardRotation;
   Eigen::Vector3d boardPoint = Eigen::Vector3d::Zero();
-  int ballStateSize = 3; ///< size of a state block: 3 for a point, 6 for a stick or board
+  int stateBlockSize = 3; ///< size of a state block: 3 for a point, 6 for a stick or board
   /// Index in the state block at which the coordinates of the free point start.
   int pointOffset = 0;
-  double time = 0.0; ///< time of the image without the camera's offset, seconds
+  double imageTime = 0.0; ///< time of the image without the camera's offset, seconds
   /// Times of the states between which a free point is interpolated, seconds.
-  std::vector<double> knots;
+  std::vector<double> knotTimes;
 };
 
 /// Residual of an observation, (predicted - observed) / sigma. Parameter blocks: pose, lens, time

@@ -47,7 +47,8 @@ double rotationSigma(const BundleCovariance& covariance, std::size_t camera) {
 }
 
 std::optional<Eigen::MatrixXd> reducedCovariance(const Eigen::SparseMatrix<double>& jacobian,
-                                                 Eigen::Index cameraColumns, int gaugeFreedoms) {
+                                                 Eigen::Index cameraColumns,
+                                                 int gaugeFreedomCount) {
   const Eigen::Index others = jacobian.cols() - cameraColumns;
   const Eigen::SparseMatrix<double> cameras = jacobian.leftCols(cameraColumns);
   Eigen::MatrixXd information = Eigen::MatrixXd(cameras.transpose() * cameras);
@@ -69,15 +70,15 @@ std::optional<Eigen::MatrixXd> reducedCovariance(const Eigen::SparseMatrix<doubl
                                                     .cwiseInverse());
   const Eigen::MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
   const auto eigen = geometry::symmetricEigen(0.5 * (scaled + scaled.transpose()));
-  if (!eigen.converged || gaugeFreedoms > cameraColumns) {
+  if (!eigen.hasConverged || gaugeFreedomCount > cameraColumns) {
     return std::nullopt;
   }
-  const Eigen::Index kept = cameraColumns - gaugeFreedoms;
-  const Eigen::VectorXd values = eigen.values.tail(kept);
+  const Eigen::Index kept = cameraColumns - gaugeFreedomCount;
+  const Eigen::VectorXd values = eigen.eigenvalues.tail(kept);
   if (kept > 0 && !(values[0] > kLeastShare * values[kept - 1])) {
     return std::nullopt;
   }
-  const Eigen::MatrixXd directions = scale.asDiagonal() * eigen.vectors.rightCols(kept);
+  const Eigen::MatrixXd directions = scale.asDiagonal() * eigen.eigenvectors.rightCols(kept);
   return directions * values.cwiseInverse().asDiagonal() * directions.transpose();
 }
 

@@ -56,7 +56,7 @@ std::string quantityName(CameraQuantity quantity);
 struct BundleCovariance {
   std::vector<CameraParameterColumn> columns;
   Eigen::MatrixXd matrix;
-  int gaugeFreedoms = 0; ///< degrees of freedom that nothing fixes: 0, 1 (size), 6 (pose) or 7
+  int gaugeFreedomCount = 0; ///< degrees of freedom that nothing fixes: 0, 1 (size), 6 (pose) or 7
 };
 
 /// Returns the standard deviation of a camera's position in meters: the square root of the summed
@@ -69,9 +69,9 @@ double rotationSigma(const BundleCovariance& covariance, std::size_t camera);
 
 /// Computes the covariance of the first `cameraColumns` parameters. `jacobian` contains the
 /// derivatives of the weighted residuals (rows) with respect to all parameters (columns). The
-/// result is the inverse of the Schur complement, without the `gaugeFreedoms` directions about
+/// result is the inverse of the Schur complement, without the `gaugeFreedomCount` directions about
 /// which it contains the least information. Returns nothing if further directions are undetermined.
 std::optional<Eigen::MatrixXd> reducedCovariance(const Eigen::SparseMatrix<double>& jacobian,
-                                                 Eigen::Index cameraColumns, int gaugeFreedoms);
+                                                 Eigen::Index cameraColumns, int gaugeFreedomCount);
 
 } // namespace dewpoint::calibration

@@ -9,7 +9,7 @@ namespace {
 
 using Kind = BundleBody::Kind;
 
-int ballStateSize(Kind kind) {
+int stateBlockSize(Kind kind) {
   return kind == Kind::Point ? 3 : 6;
 }
 
@@ -22,7 +22,7 @@ ceres::Problem::Options problemOptions() {
 } // namespace
 
 BundleModel::BundleModel(const BundleProblem& given, BundleStart usable)
-    : problem(given), start(std::move(usable)), solver(problemOptions()) {
+    : problem(given), start(std::move(usable)), ceresProblem(problemOptions()) {
   makeBlocks();
   addObservations();
   addSticks();
@@ -47,7 +47,7 @@ std::vector<int> BundleModel::fixedLensEntries(const BundleCamera& camera) {
 void BundleModel::makeBlocks() {
   for (const BundleCamera& wanted : problem.cameras) {
     CameraBlocks blocks;
-    blocks.rotation = wanted.camera.cameraFromWorld.linear();
+    blocks.referenceRotation = wanted.camera.cameraFromWorld.linear();
     Eigen::Map<Eigen::Vector3d>(blocks.pose.data() + 3) = wanted.camera.center();
     blocks.lens = lensBlock(wanted.camera);
     blocks.timeOffset = wanted.timeOffset;
@@ -58,7 +58,7 @@ void BundleModel::makeBlocks() {
     Eigen::Map<Eigen::Vector3d> first(block.values.data());
     Eigen::Map<Eigen::Vector3d> second(block.values.data() + 3);
     if (problem.bodies[wanted.body].kind == Kind::Board) {
-      block.rotation = wanted.worldFromBoard.linear();
+      block.referenceRotation = wanted.worldFromBoard.linear();
       second = wanted.worldFromBoard.translation();
     } else {
       first = wanted.ends[0];
@@ -72,7 +72,7 @@ ceres::LossFunction* BundleModel::lossFor(double sigma) {
   if (problem.loss == RobustLoss::None) {
     return nullptr;
   }
-  auto& loss = losses[sigma];
+  auto& loss = lossesBySigma[sigma];
   if (!loss) {
     const double width = problem.lossWidth / sigma;
     switch (problem.loss) {
@@ -102,7 +102,7 @@ void BundleModel::addObservations() {
       start.isObservationUsed[i] = false; // behind the camera
       continue;
     }
-    solver.AddResidualBlock(cost.get(), lossFor(problem.observations[i].sigma), blocks);
+    ceresProblem.AddResidualBlock(cost.get(), lossFor(problem.observations[i].sigma), blocks);
     costFunctions[i] = cost.release(); // the solver owns it
     ++usedObservationCount;
   }
@@ -114,20 +114,20 @@ PixelCostSetup BundleModel::setupOf(std::size_t i) const {
   const BundleBody& body = problem.bodies[state.body];
   PixelCostSetup setup;
   setup.lens = problem.cameras[seen.camera].camera.lens;
-  setup.cameraRotation = cameras[seen.camera].rotation;
+  setup.cameraRotation = cameras[seen.camera].referenceRotation;
   setup.pixel = seen.pixel;
   setup.sigma = seen.sigma;
   setup.outlineShift = seen.outlineShift;
-  setup.ballStateSize = ballStateSize(body.kind);
-  setup.time = state.time + seen.timeAfterState;
+  setup.stateBlockSize = stateBlockSize(body.kind);
+  setup.imageTime = state.time + seen.timeAfterState;
   if (body.kind == Kind::Board) {
-    setup.boardRotation = states[seen.state].rotation;
+    setup.boardRotation = states[seen.state].referenceRotation;
     setup.boardPoint = body.points[seen.point];
   } else {
     setup.pointOffset = 3 * static_cast<int>(seen.point);
   }
-  for (const std::size_t knot : start.knots[i]) {
-    setup.knots.push_back(start.states[knot].time);
+  for (const std::size_t knot : start.interpolationStates[i]) {
+    setup.knotTimes.push_back(start.states[knot].time);
   }
   return setup;
 }
@@ -136,10 +136,10 @@ std::vector<double*> BundleModel::blocksOf(std::size_t i) {
   const BundleObservation& seen = problem.observations[i];
   CameraBlocks& camera = cameras[seen.camera];
   std::vector<double*> blocks{camera.pose.data(), camera.lens.data(), &camera.timeOffset};
-  for (const std::size_t knot : start.knots[i]) {
+  for (const std::size_t knot : start.interpolationStates[i]) {
     blocks.push_back(states[knot].values.data());
   }
-  if (start.knots[i].empty()) {
+  if (start.interpolationStates[i].empty()) {
     blocks.push_back(states[seen.state].values.data());
   }
   return blocks;
@@ -148,9 +148,9 @@ std::vector<double*> BundleModel::blocksOf(std::size_t i) {
 void BundleModel::addSticks() {
   for (std::size_t s = 0; s < states.size(); ++s) {
     const BundleBody& body = problem.bodies[start.states[s].body];
-    if (body.kind == Kind::Stick && solver.HasParameterBlock(states[s].values.data())) {
-      solver.AddResidualBlock(new StickCost(body.length, body.lengthSigma), nullptr,
-                              states[s].values.data());
+    if (body.kind == Kind::Stick && ceresProblem.HasParameterBlock(states[s].values.data())) {
+      ceresProblem.AddResidualBlock(new StickCost(body.length, body.lengthSigma), nullptr,
+                                    states[s].values.data());
     }
   }
 }
@@ -159,28 +159,28 @@ void BundleModel::addPriors() {
   for (std::size_t c = 0; c < cameras.size(); ++c) {
     const BundleCamera& wanted = problem.cameras[c];
     CameraBlocks& blocks = cameras[c];
-    if (wanted.posePrior && solver.HasParameterBlock(blocks.pose.data())) {
+    if (wanted.posePrior && ceresProblem.HasParameterBlock(blocks.pose.data())) {
       const double rotationSigma = wanted.posePrior->rotationSigma;
       const double centerSigma = wanted.posePrior->centerSigma;
-      solver.AddResidualBlock(new PriorCost({blocks.pose.begin(), blocks.pose.end()},
-                                            {rotationSigma, rotationSigma, rotationSigma,
-                                             centerSigma, centerSigma, centerSigma}),
-                              nullptr, blocks.pose.data());
+      ceresProblem.AddResidualBlock(new PriorCost({blocks.pose.begin(), blocks.pose.end()},
+                                                  {rotationSigma, rotationSigma, rotationSigma,
+                                                   centerSigma, centerSigma, centerSigma}),
+                                    nullptr, blocks.pose.data());
     }
     if (wanted.focalPriorSigma > 0.0 && wanted.isFocalFree &&
-        solver.HasParameterBlock(blocks.lens.data())) {
+        ceresProblem.HasParameterBlock(blocks.lens.data())) {
       std::vector<double> sigmas(kLensSize, 0.0);
       sigmas[0] = wanted.focalPriorSigma * blocks.lens[0];
-      solver.AddResidualBlock(new PriorCost({blocks.lens.begin(), blocks.lens.end()}, sigmas),
-                              nullptr, blocks.lens.data());
+      ceresProblem.AddResidualBlock(new PriorCost({blocks.lens.begin(), blocks.lens.end()}, sigmas),
+                                    nullptr, blocks.lens.data());
     }
   }
 }
 
 void BundleModel::fixKnownParameters() {
   const auto hold = [&](double* block, bool held) {
-    if (held && solver.HasParameterBlock(block)) {
-      solver.SetParameterBlockConstant(block);
+    if (held && ceresProblem.HasParameterBlock(block)) {
+      ceresProblem.SetParameterBlockConstant(block);
     }
   };
   for (std::size_t c = 0; c < cameras.size(); ++c) {
@@ -190,8 +190,8 @@ void BundleModel::fixKnownParameters() {
     hold(cameras[c].pose.data(), wanted.isPoseFixed);
     hold(lens, held.size() == kLensSize);
     hold(&cameras[c].timeOffset, !wanted.isTimeOffsetFree);
-    if (!held.empty() && held.size() < kLensSize && solver.HasParameterBlock(lens)) {
-      solver.SetManifold(lens, new ceres::SubsetManifold(kLensSize, held));
+    if (!held.empty() && held.size() < kLensSize && ceresProblem.HasParameterBlock(lens)) {
+      ceresProblem.SetManifold(lens, new ceres::SubsetManifold(kLensSize, held));
     }
   }
   for (std::size_t s = 0; s < states.size(); ++s) {

@@ -19,14 +19,15 @@ class BundleModel {
 public:
   /// Parameter blocks of a camera, as required by PixelCost.
   struct CameraBlocks {
-    Eigen::Matrix3d rotation; ///< fixed rotation to which the rotation vector in `pose` is relative
+    Eigen::Matrix3d
+        referenceRotation; ///< fixed rotation to which the rotation vector in `pose` is relative
     std::array<double, kPoseSize> pose{};
     std::array<double, kLensSize> lens{};
     double timeOffset = 0.0;
   };
   /// Parameters of a state: a point, both ends of a stick, or the rotation and position of a board.
   struct StateBlock {
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Matrix3d referenceRotation = Eigen::Matrix3d::Identity();
     std::array<double, 6> values{};
   };
 
@@ -36,9 +37,9 @@ public:
 
   /// Returns the parameter blocks of an observation, in the order required by PixelCost.
   std::vector<double*> blocksOf(std::size_t observation);
-  bool isInProblem(const double* block) const { return solver.HasParameterBlock(block); }
+  bool isInProblem(const double* block) const { return ceresProblem.HasParameterBlock(block); }
   bool isVariable(const double* block) const {
-    return isInProblem(block) && !solver.IsParameterBlockConstant(block);
+    return isInProblem(block) && !ceresProblem.IsParameterBlockConstant(block);
   }
   /// Returns the indices of the entries in a camera's lens block that are held fixed, ascending.
   static std::vector<int> fixedLensEntries(const BundleCamera& camera);
@@ -51,8 +52,8 @@ public:
   std::vector<ceres::CostFunction*> costFunctions;
   std::size_t usedObservationCount = 0; ///< number of observations used
   /// Loss functions, one for each value of BundleObservation::sigma.
-  std::map<double, std::unique_ptr<ceres::LossFunction>> losses;
-  ceres::Problem solver;
+  std::map<double, std::unique_ptr<ceres::LossFunction>> lossesBySigma;
+  ceres::Problem ceresProblem;
 
 private:
   void makeBlocks();

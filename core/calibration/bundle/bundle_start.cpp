@@ -36,7 +36,8 @@ Status checkIndices(const BundleProblem& problem) {
     if (state.body >= problem.bodies.size() || !std::isfinite(state.time)) {
       return wrong("states", "a state has no body or no time");
     }
-    if (problem.bodies[state.body].kind == Kind::Board && !state.isKnown && !state.isFixed) {
+    if (problem.bodies[state.body].kind == Kind::Board && !state.isPositionKnown &&
+        !state.isFixed) {
       return wrong(problem.bodies[state.body].name, "a board needs a pose to start from");
     }
   }
@@ -59,7 +60,7 @@ public:
     start_.states = problem.states;
     start_.isStateUsed.assign(problem.states.size(), true);
     start_.isObservationUsed.assign(problem.observations.size(), true);
-    start_.knots.resize(problem.observations.size());
+    start_.interpolationStates.resize(problem.observations.size());
     ofState_.resize(problem.states.size());
     for (std::size_t i = 0; i < problem.observations.size(); ++i) {
       ofState_[problem.observations[i].state].push_back(i);
@@ -78,7 +79,8 @@ public:
       changed = dropUnsupported();
     }
     for (std::size_t i = 0; i < start_.isObservationUsed.size(); ++i) {
-      start_.moving = start_.moving || (start_.isObservationUsed[i] && !start_.knots[i].empty());
+      start_.hasInterpolation = start_.hasInterpolation || (start_.isObservationUsed[i] &&
+                                                            !start_.interpolationStates[i].empty());
     }
     return enough().map([&] { return std::move(start_); });
   }
@@ -121,7 +123,7 @@ private:
   bool placed(std::size_t state) {
     BundleState& there = start_.states[state];
     const BundleBody& body = bodyOf(state);
-    if (there.isKnown || there.isFixed || body.kind == Kind::Board) {
+    if (there.isPositionKnown || there.isFixed || body.kind == Kind::Board) {
       return true;
     }
     for (std::size_t point = 0; point < pointCount(body); ++point) {
@@ -169,10 +171,10 @@ private:
       const BundleObservation& seen = problem_.observations[i];
       const bool used = start_.isObservationUsed[i] && start_.isStateUsed[seen.state];
       start_.isObservationUsed[i] = used;
-      start_.knots[i].clear();
+      start_.interpolationStates[i].clear();
       if (used && betweenInstants(seen) && bodyOf(seen.state).kind != Kind::Board) {
-        start_.knots[i] = around[seen.state];
-        start_.isObservationUsed[i] = start_.knots[i].size() >= kFewestKnots;
+        start_.interpolationStates[i] = around[seen.state];
+        start_.isObservationUsed[i] = start_.interpolationStates[i].size() >= kFewestKnots;
       }
     }
   }
@@ -181,7 +183,7 @@ private:
   std::vector<std::size_t> neighbors(const std::vector<std::size_t>& path, std::size_t k) const {
     const auto joined = [&](std::size_t early) {
       const double gap = start_.states[path[early + 1]].time - start_.states[path[early]].time;
-      return gap > 0.0 && gap <= problem_.longestGap;
+      return gap > 0.0 && gap <= problem_.maxStateGapSeconds;
     };
     std::size_t first = k;
     std::size_t last = k;

@@ -17,8 +17,8 @@ struct BundleStart {
   /// For each observation, the states (of the same body, ascending in time) between which its point
   /// is interpolated. Empty if the point is not interpolated, because the image was taken at the
   /// time of the observation's state.
-  std::vector<std::vector<std::size_t>> knots;
-  bool moving = false; ///< true if any observation is interpolated between states
+  std::vector<std::vector<std::size_t>> interpolationStates;
+  bool hasInterpolation = false; ///< true if any observation is interpolated between states
 };
 
 /// Returns the usable parts of a problem, with start values for all bodies. Bodies without start

@@ -37,7 +37,7 @@ struct DetectedFault {
   double value = 0.0;
   /// Log likelihood of the observations with this fault, minus that without any fault; 0 if the
   /// fault was not found by its residuals.
-  double gain = 0.0;
+  double logLikelihoodGain = 0.0;
   std::string sentence = {}; ///< likely cause, and advice for the user
 };
 

@@ -27,9 +27,9 @@ using CameraRenaming = std::map<std::string, std::string>;
 
 /// Instructions of the user for a calibration whose camera names or image sizes do not fit.
 struct CalibrationAdaptation {
-  CameraRenaming names;
+  CameraRenaming cameraRenaming;
   /// How to adapt cameras to images of another size; empty: cameras are not adapted.
-  std::optional<SizeFit> fit;
+  std::optional<SizeFit> sizeFit;
 };
 
 /// Parses a value of the command line: crop, trim, scale, rotate-90 or rotate-270. Returns nothing

@@ -20,10 +20,10 @@ struct CalibrationText {
 
 /// Hints from the user about information that is missing from a file.
 struct CalibrationHints {
-  std::string format;                     ///< format name; recognized from the content if empty
-  std::optional<double> metersPerUnit;    ///< meters per unit of length in the file
-  std::optional<LensModel> lens;          ///< lens model of cameras with four coefficients
-  std::optional<std::array<int, 2>> size; ///< image width and height, pixels
+  std::string format;                  ///< format name; recognized from the content if empty
+  std::optional<double> metersPerUnit; ///< meters per unit of length in the file
+  std::optional<LensModel> lens;       ///< lens model of cameras with four coefficients
+  std::optional<std::array<int, 2>> imageSize; ///< image width and height, pixels
   /// True if the poses in the file are world-from-camera, false if they are camera-from-world. If
   /// specified, the plausibility of the poses is not checked.
   std::optional<bool> posesAreWorldFromCamera;
@@ -43,7 +43,7 @@ struct ParsedCalibration {
 
 /// Lens models that a format can represent.
 struct LensSupport {
-  int pinholeCoefficients = 8; ///< how many: 4 (k1 k2 p1 p2), 5 (also k3) or 8 (also k4 k5 k6)
+  int pinholeCoefficientCount = 8; ///< how many: 4 (k1 k2 p1 p2), 5 (also k3) or 8 (also k4 k5 k6)
   /// True if the format also has the four coefficients of LensModel::Fisheye.
   bool supportsFisheye = false;
 };
@@ -69,9 +69,9 @@ struct CalibrationFormat {
   const char* extension = ""; ///< extension of written files, including the dot
   /// Further extensions of files in this format, including the dots.
   std::vector<const char*> otherExtensions = {};
-  const char* contents = ""; ///< content and structure, in one sentence
+  const char* description = ""; ///< content and structure, in one sentence
   FileLayout layout = FileLayout::OneFile;
-  LensSupport lenses;
+  LensSupport lensSupport;
   /// True for a TOML dialect whose files can look exactly like those of another dialect. Only the
   /// user then knows which tool wrote a file.
   bool looksLikeOtherDialect = false;
@@ -90,8 +90,8 @@ struct CalibrationFormat {
   Result<ParsedCalibration> (*read)(const CalibrationText& source,
                                     const CalibrationHints& hints) = nullptr;
   /// Returns the paths and contents of the files for `rig`, without writing them to disk. The
-  /// lenses of `rig` must fit `lenses`, and its lengths must already be in the unit of the files.
-  /// Null if the format can only be read.
+  /// lenses of `rig` must fit `lensSupport`, and its lengths must already be in the unit of the
+  /// files. Null if the format can only be read.
   std::vector<CalibrationText> (*write)(const CameraRig& rig,
                                         const std::filesystem::path& out) = nullptr;
 };

@@ -156,8 +156,8 @@ CameraRig withInvertedPoses(CameraRig rig) {
   return rig;
 }
 
-Status checkPlausible(const ParsedCalibration& calibration, const CalibrationHints& hints,
-                      const std::string& file) {
+Status checkPlausibility(const ParsedCalibration& calibration, const CalibrationHints& hints,
+                         const std::string& file) {
   const CameraRig& rig = calibration.rig;
   Status status = checkPrincipalPoint(rig, file);
   if (status && !hints.metersPerUnit && calibration.hasPoses) {

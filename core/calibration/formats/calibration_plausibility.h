@@ -37,7 +37,7 @@ CameraRig withInvertedPoses(CameraRig rig);
 ///   world-from-camera are exchanged.
 ///
 /// Properties given explicitly in `hints` are not checked.
-Status checkPlausible(const ParsedCalibration& calibration, const CalibrationHints& hints,
-                      const std::string& file);
+Status checkPlausibility(const ParsedCalibration& calibration, const CalibrationHints& hints,
+                         const std::string& file);
 
 } // namespace dewpoint::calibration

@@ -116,7 +116,7 @@ Eigen::Matrix3d matrixOf(const Intrinsics& in) {
   return matrixOf(in.focalX, in.focalY, in.centerX, in.centerY);
 }
 
-std::vector<double> shortestCoefficients(const Camera& camera, int fewest) {
+std::vector<double> trimmedDistortion(const Camera& camera, int fewest) {
   const auto& d = camera.distortion;
   std::size_t count = 4;
   if (camera.lens == LensModel::Pinhole) {

@@ -46,6 +46,6 @@ Eigen::Matrix3d matrixOf(double focalX, double focalY, double centerX, double ce
 /// Returns the distortion coefficients as the shortest possible list. A fisheye lens has 4
 /// coefficients. For any other lens, these are the first 4, 5 or 8 coefficients, but at least
 /// `fewest`. The coefficients that are omitted are zero.
-std::vector<double> shortestCoefficients(const Camera& camera, int fewest);
+std::vector<double> trimmedDistortion(const Camera& camera, int fewest);
 
 } // namespace dewpoint::calibration

@@ -80,15 +80,16 @@ CameraRig fitted(const CalibrationFormat& format, const CameraRig& rig,
                                              ? rig.front().cameraFromWorld.inverse()
                                              : Eigen::Isometry3d::Identity();
   for (const Camera& camera : rig) {
-    const LensRefit refit = refitLens(camera, format.lenses);
+    const LensRefit refit = refitLens(camera, format.lensSupport);
     result.push_back(refit.camera);
     result.back().cameraFromWorld = camera.cameraFromWorld * worldFromNew;
-    conversion.cameras.push_back({camera.name, refit.isRefitted, 0.0, 0});
+    conversion.cameraDifferences.push_back({camera.name, refit.isRefitted, 0.0, 0});
     if (refit.isRefitted) {
-      conversion.decisions.push_back(fmt::format(
-          "{} has no lens model like that of {}: focal lengths, principal point and {} "
-          "coefficients were fitted by least squares over the image (RMS {:.3g} px).",
-          format.title, camera.name, format.lenses.pinholeCoefficients, refit.rmsDifferencePx));
+      conversion.decisions.push_back(
+          fmt::format("{} has no lens model like that of {}: focal lengths, principal point and {} "
+                      "coefficients were fitted by least squares over the image (RMS {:.3g} px).",
+                      format.title, camera.name, format.lensSupport.pinholeCoefficientCount,
+                      refit.rmsDifferencePx));
     }
   }
   if (format.firstCameraIsWorld) {
@@ -157,7 +158,7 @@ Result<CameraRig> readBack(const CalibrationFormat& format,
   hints.format = format.name;
   hints.metersPerUnit = unit;
   hints.posesAreWorldFromCamera = false;
-  hints.size = {rig.front().intrinsics.width, rig.front().intrinsics.height};
+  hints.imageSize = {rig.front().intrinsics.width, rig.front().intrinsics.height};
   CameraRig again;
   const std::size_t count = format.layout == FileLayout::FilePerCamera ? rig.size() : 1;
   for (std::size_t k = 0; k < count; ++k) {
@@ -172,7 +173,7 @@ Result<CameraRig> readBack(const CalibrationFormat& format,
 
 /// A rotation alone says what size comes out.
 std::array<int, 2> sizeAfter(const CalibrationChanges& changes, const Camera& camera) {
-  return changes.size.value_or(std::array{camera.intrinsics.height, camera.intrinsics.width});
+  return changes.imageSize.value_or(std::array{camera.intrinsics.height, camera.intrinsics.width});
 }
 
 Status applyChanges(const CalibrationChanges& changes, const std::string& file,
@@ -221,7 +222,7 @@ CameraDifference compareCameras(const Camera& camera, const Camera& other,
       if (const auto found = theirs.project(otherFromWorld * point)) {
         result.maxDifferencePx = std::max(result.maxDifferencePx, (*found - *expected).norm());
       } else if (depth == kDepths[0]) {
-        ++result.lostDirectionCount;
+        ++result.unseenDirectionCount;
       }
     }
   }
@@ -250,7 +251,8 @@ Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
       target.metersPerUnit.value_or(format.metersPerUnit.value_or(format.defaultMetersPerUnit));
   const CameraRig held = fitted(format, rig, conversion);
   noteTangentialDistortion(format, rig, conversion);
-  conversion.decisions.push_back(fmt::format("Written as {}: {}.", format.title, format.contents));
+  conversion.decisions.push_back(
+      fmt::format("Written as {}: {}.", format.title, format.description));
   conversion.decisions.push_back(unit == 1.0
                                      ? "Lengths are written in meters."
                                      : fmt::format("Lengths are written in units of {} m.", unit));
@@ -265,10 +267,10 @@ Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
   const Eigen::Isometry3d newFromWorld =
       held.front().cameraFromWorld.inverse() * rig.front().cameraFromWorld;
   for (std::size_t k = 0; k < rig.size(); ++k) {
-    auto& camera = conversion.cameras[k];
+    auto& camera = conversion.cameraDifferences[k];
     const auto found = compareCameras(rig[k], again->at(k), newFromWorld);
     camera.maxDifferencePx = found.maxDifferencePx;
-    camera.lostDirectionCount = found.lostDirectionCount;
+    camera.unseenDirectionCount = found.unseenDirectionCount;
     conversion.maxDifferencePx = std::max(conversion.maxDifferencePx, camera.maxDifferencePx);
   }
   return conversion;

@@ -27,7 +27,7 @@ struct CameraDifference {
   bool isRefitted = false;
   double maxDifferencePx = 0.0; ///< largest distance between projections of the same point, pixels
   /// Number of the 9 x 9 compared directions that the written camera cannot see.
-  int lostDirectionCount = 0;
+  int unseenDirectionCount = 0;
 };
 
 /// Decisions made in a conversion, and its accuracy.
@@ -36,7 +36,7 @@ struct CalibrationConversion {
   std::string toFormat;               ///< name of the output format
   std::vector<std::string> decisions; ///< sentences about decisions made in reading and writing
   std::vector<std::string> notices;   ///< sentences about likely mistakes in the input
-  std::vector<CameraDifference> cameras;
+  std::vector<CameraDifference> cameraDifferences;
   /// Largest CameraDifference::maxDifferencePx of all cameras, pixels.
   double maxDifferencePx = 0.0;
   std::vector<std::filesystem::path> writtenFiles;
@@ -57,9 +57,9 @@ Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
 /// Changes that convertCalibration() makes to the cameras between reading and writing.
 struct CalibrationChanges {
   CalibrationAdaptation adaptation;
-  /// Image width and height to which `adaptation.fit` adapts the cameras, pixels; not needed for a
-  /// rotation.
-  std::optional<std::array<int, 2>> size;
+  /// Image width and height to which `adaptation.sizeFit` adapts the cameras, pixels; not needed
+  /// for a rotation.
+  std::optional<std::array<int, 2>> imageSize;
 };
 
 /// Converts a calibration file to another format. Reads it (readCalibration()), renames the cameras

@@ -15,13 +15,13 @@ namespace dewpoint::calibration {
 namespace {
 
 std::string recognizeAnipose(const CalibrationText& source) {
-  return tomlDialect(source) == TomlDialect::Anipose
+  return recognizeTomlDialect(source) == TomlDialect::Anipose
              ? "camera tables and [metadata] with \"adjusted\""
              : "";
 }
 
 std::string recognizePose2Sim(const CalibrationText& source) {
-  return tomlDialect(source) == TomlDialect::Pose2Sim
+  return recognizeTomlDialect(source) == TomlDialect::Pose2Sim
              ? "camera tables with four coefficients and \"fisheye = false\""
              : "";
 }
@@ -75,7 +75,7 @@ std::string camerasText(const CameraRig& rig, int coefficients, bool saysPinhole
                         k, tomlQuoted(camera.name),
                         saysPinhole ? listText(size) : fmt::format("[{}, {}]", size[0], size[1]),
                         matrixListText(matrixOf(camera.intrinsics)),
-                        listText(shortestCoefficients(camera, coefficients)),
+                        listText(trimmedDistortion(camera, coefficients)),
                         listText(vectorFromRotation(camera.cameraFromWorld.linear())),
                         listText(Eigen::VectorXd(camera.cameraFromWorld.translation())));
     text += fisheye ? "fisheye = true\n\n" : saysPinhole ? "fisheye = false\n\n" : "\n";
@@ -98,9 +98,9 @@ CalibrationFormat aniposeFormat() {
   format.name = "anipose";
   format.title = "Anipose or FreeMoCap";
   format.extension = ".toml";
-  format.contents =
+  format.description =
       "5 coefficients or fisheye, camera from world, in the unit of its board, mostly mm";
-  format.lenses = {5, true};
+  format.lensSupport = {5, true};
   format.defaultMetersPerUnit = 0.001;
   format.looksLikeOtherDialect = true;
   format.recognize = recognizeAnipose;
@@ -113,8 +113,8 @@ CalibrationFormat pose2simFormat() {
   CalibrationFormat format = aniposeFormat();
   format.name = "pose2sim";
   format.title = "Pose2Sim";
-  format.contents = "4 coefficients, camera from world, meters";
-  format.lenses = {4, false};
+  format.description = "4 coefficients, camera from world, meters";
+  format.lensSupport = {4, false};
   format.metersPerUnit = 1.0;
   format.defaultMetersPerUnit = 1.0;
   format.recognize = recognizePose2Sim;

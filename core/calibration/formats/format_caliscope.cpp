@@ -91,7 +91,7 @@ std::vector<CalibrationText> writeCaliscope(const CameraRig& rig,
                         "rotation = {6}\nexposure = 0\ngrid_count = 0\nignore = false\n"
                         "fisheye = {7}\n\n",
                         k, in.width, in.height, matrixListText(matrixOf(in)),
-                        listText(shortestCoefficients(camera, 5)),
+                        listText(trimmedDistortion(camera, 5)),
                         listText(Eigen::VectorXd(camera.cameraFromWorld.translation())),
                         matrixListText(camera.cameraFromWorld.linear()),
                         camera.lens == LensModel::Fisheye);
@@ -106,9 +106,9 @@ CalibrationFormat caliscopeFormat() {
   format.name = "caliscope";
   format.title = "Caliscope";
   format.extension = ".toml";
-  format.contents =
+  format.description =
       "5 coefficients or fisheye, camera from world, meters; numbers instead of names";
-  format.lenses = {5, true};
+  format.lensSupport = {5, true};
   format.metersPerUnit = 1.0;
   format.recognize = recognizeCaliscope;
   format.read = readCaliscope;

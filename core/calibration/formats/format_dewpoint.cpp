@@ -12,7 +12,7 @@ namespace dewpoint::calibration {
 namespace {
 
 std::string recognizeDewpoint(const CalibrationText& source) {
-  const TomlDialect dialect = tomlDialect(source);
+  const TomlDialect dialect = recognizeTomlDialect(source);
   if (dialect == TomlDialect::Dewpoint) {
     return "camera tables with size, matrix, rotation and translation, and no other tool's keys";
   }
@@ -75,8 +75,8 @@ CalibrationFormat dewpointFormat() {
   format.name = "dewpoint";
   format.title = "Dewpoint";
   format.extension = ".toml";
-  format.contents = "every lens and pose; meters, camera from world";
-  format.lenses = {8, true};
+  format.description = "every lens and pose; meters, camera from world";
+  format.lensSupport = {8, true};
   format.metersPerUnit = 1.0;
   format.looksLikeOtherDialect = true;
   format.recognize = recognizeDewpoint;

@@ -97,9 +97,9 @@ Result<ParsedCalibration> readKalibr(const CalibrationText& source, const Calibr
     parts->rotation = pose.topLeftCorner<3, 3>();
     parts->translation = pose.topRightCorner<3, 1>();
     auto camera = checkedCamera(*parts, file,
-                                {section.field("resolution"), section.field("intrinsics"),
-                                 section.field("distortion_coeffs"), section.field("T_cn_cnm1"),
-                                 section.field("T_cn_cnm1")});
+                                {section.fieldPath("resolution"), section.fieldPath("intrinsics"),
+                                 section.fieldPath("distortion_coeffs"),
+                                 section.fieldPath("T_cn_cnm1"), section.fieldPath("T_cn_cnm1")});
     if (!camera) {
       return tl::make_unexpected(camera.error());
     }
@@ -134,7 +134,7 @@ std::vector<CalibrationText> writeKalibr(const CameraRig& rig, const std::filesy
     text += fmt::format("  cam_overlaps: [{}]\n  camera_model: pinhole\n  distortion_coeffs: {}\n"
                         "  distortion_model: {}\n  intrinsics: {}\n  resolution: [{}, {}]\n"
                         "  rostopic: /cam{}/image_raw\n",
-                        overlaps, listText(shortestCoefficients(camera, 4)),
+                        overlaps, listText(trimmedDistortion(camera, 4)),
                         camera.lens == LensModel::Fisheye ? "equidistant" : "radtan",
                         listText(intrinsics), in.width, in.height, k);
   }
@@ -148,10 +148,10 @@ CalibrationFormat kalibrFormat() {
   format.name = "kalibr";
   format.title = "Kalibr camchain";
   format.extension = ".yaml";
-  format.contents =
+  format.description =
       "4 coefficients (radtan) or fisheye (equidistant), each camera from the one before, "
       "meters; no names, no world";
-  format.lenses = {4, true};
+  format.lensSupport = {4, true};
   format.firstCameraIsWorld = true;
   format.metersPerUnit = 1.0;
   format.recognize = recognizeKalibr;

@@ -35,9 +35,10 @@ Result<Camera> readMcCalibCamera(const YamlReader& section, const std::string& n
     return tl::make_unexpected(*section.error());
   }
   return checkedCamera(parts, file,
-                       {section.field("img_width"), section.field("camera_matrix"),
-                        section.field("distortion_vector"), section.field("camera_pose_matrix"),
-                        section.field("camera_pose_matrix")});
+                       {section.fieldPath("img_width"), section.fieldPath("camera_matrix"),
+                        section.fieldPath("distortion_vector"),
+                        section.fieldPath("camera_pose_matrix"),
+                        section.fieldPath("camera_pose_matrix")});
 }
 
 Result<ParsedCalibration> readMcCalib(const CalibrationText& source, const CalibrationHints&) {
@@ -68,7 +69,7 @@ Result<ParsedCalibration> readMcCalib(const CalibrationText& source, const Calib
     }
     const std::string ownGroup = section.text("camera_group", "0");
     if (k > 0 && ownGroup != group) {
-      return failure(ErrorCode::Mismatch, file, section.field("camera_group"),
+      return failure(ErrorCode::Mismatch, file, section.fieldPath("camera_group"),
                      "the cameras are in several groups, whose poses do not belong together");
     }
     group = ownGroup;
@@ -81,7 +82,7 @@ std::vector<CalibrationText> writeMcCalib(const CameraRig& rig, const std::files
   std::string text = fmt::format("%YAML:1.0\n---\nnb_camera: {}\n", rig.size());
   for (std::size_t k = 0; k < rig.size(); ++k) {
     const Camera& camera = rig[k];
-    const auto coefficients = shortestCoefficients(camera, 5);
+    const auto coefficients = trimmedDistortion(camera, 5);
     const bool fisheye = camera.lens == LensModel::Fisheye;
     text += fmt::format("camera_{}:\n", k) +
             matrixNodeText("   ", "camera_matrix", matrixOf(camera.intrinsics)) +
@@ -101,10 +102,10 @@ CalibrationFormat mcCalibFormat() {
   format.name = "mc-calib";
   format.title = "MC-Calib";
   format.extension = ".yml";
-  format.contents =
+  format.description =
       "5 coefficients or fisheye, poses as rig (the first camera) from camera, in the unit "
       "of its board; no names, no world";
-  format.lenses = {5, true};
+  format.lensSupport = {5, true};
   format.firstCameraIsWorld = true;
   format.recognize = recognizeMcCalib;
   format.read = readMcCalib;

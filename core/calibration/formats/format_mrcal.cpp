@@ -103,7 +103,7 @@ std::string mrcalCameraText(const Camera& camera) {
   std::vector<double> values = {in.focalX, in.focalY, in.centerX, in.centerY};
   std::string model = "LENSMODEL_PINHOLE";
   if (camera.hasDistortion()) {
-    const auto coefficients = shortestCoefficients(camera, 4);
+    const auto coefficients = trimmedDistortion(camera, 4);
     values.insert(values.end(), coefficients.begin(), coefficients.end());
     model = fmt::format("LENSMODEL_OPENCV{}", coefficients.size());
   }
@@ -134,9 +134,9 @@ CalibrationFormat mrcalFormat() {
   format.name = "mrcal";
   format.title = "mrcal camera model";
   format.extension = ".cameramodel";
-  format.contents = "8 coefficients, one camera a file, camera from reference, meters";
+  format.description = "8 coefficients, one camera a file, camera from reference, meters";
   format.layout = FileLayout::FilePerCamera;
-  format.lenses = {8, false};
+  format.lensSupport = {8, false};
   format.metersPerUnit = 1.0;
   format.recognize = recognizeMrcal;
   format.read = readMrcal;

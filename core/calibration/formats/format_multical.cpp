@@ -105,8 +105,8 @@ Result<ParsedCalibration> readMultical(const CalibrationText& source, const Cali
     parts->translation = pose->translation();
     auto camera =
         checkedCamera(*parts, file,
-                      {section.field("image_size"), section.field("K"), section.field("dist"),
-                       "camera_poses." + name, "camera_poses." + name});
+                      {section.fieldPath("image_size"), section.fieldPath("K"),
+                       section.fieldPath("dist"), "camera_poses." + name, "camera_poses." + name});
     if (!camera) {
       return tl::make_unexpected(camera.error());
     }
@@ -125,8 +125,9 @@ CalibrationFormat multicalFormat() {
   format.name = "multical";
   format.title = "multical";
   format.extension = ".json";
-  format.contents = "8 coefficients or fisheye, each camera from another, in the unit of its board";
-  format.lenses = {8, true};
+  format.description =
+      "8 coefficients or fisheye, each camera from another, in the unit of its board";
+  format.lensSupport = {8, true};
   format.firstCameraIsWorld = true;
   format.recognize = recognizeMultical;
   format.read = readMultical;

@@ -44,12 +44,12 @@ std::string recognizePair(const CalibrationText& source) {
 }
 
 void readOpenCvSize(const YamlReader& reader, const CalibrationHints& hints, CameraParts& parts) {
-  if (reader.has("image_width") || !hints.size) {
+  if (reader.has("image_width") || !hints.imageSize) {
     parts.width = reader.number("image_width");
     parts.height = reader.number("image_height");
   } else {
-    parts.width = (*hints.size)[0];
-    parts.height = (*hints.size)[1];
+    parts.width = (*hints.imageSize)[0];
+    parts.height = (*hints.imageSize)[1];
   }
 }
 
@@ -122,7 +122,7 @@ std::vector<CalibrationText> writeCameras(const CameraRig& rig, const std::files
     }
     text += matrixNodeText("", "camera_matrix", matrixOf(in)) +
             matrixNodeText("", "distortion_coefficients",
-                           rowMatrix(shortestCoefficients(camera, 5)).transpose()) +
+                           rowMatrix(trimmedDistortion(camera, 5)).transpose()) +
             matrixNodeText("", "extrinsic_parameters", view);
     files.push_back({cameraFile(rig, k, out, ".yml"), text});
   }
@@ -164,7 +164,7 @@ Result<ParsedCalibration> readPair(const CalibrationText& source, const Calibrat
   }
   const YamlReader intrinsics(*inner, files[0].string());
   const YamlReader extrinsics(*outer, files[1].string());
-  if (!hints.size && !intrinsics.has("image_width")) {
+  if (!hints.imageSize && !intrinsics.has("image_width")) {
     return failure(
         ErrorCode::MissingKey, files[0].string(), "image_width",
         "the stereo sample does not write the image size; convert with --size WIDTHxHEIGHT");
@@ -202,9 +202,8 @@ std::vector<CalibrationText> writePair(const CameraRig& rig, const std::filesyst
   const auto& size = rig.front().intrinsics;
   std::string inner = "%YAML:1.0\n---\n";
   for (std::size_t k = 0; k < 2; ++k) {
-    inner +=
-        matrixNodeText("", fmt::format("M{}", k + 1), matrixOf(rig[k].intrinsics)) +
-        matrixNodeText("", fmt::format("D{}", k + 1), rowMatrix(shortestCoefficients(rig[k], 5)));
+    inner += matrixNodeText("", fmt::format("M{}", k + 1), matrixOf(rig[k].intrinsics)) +
+             matrixNodeText("", fmt::format("D{}", k + 1), rowMatrix(trimmedDistortion(rig[k], 5)));
   }
   inner += fmt::format("image_width: {}\nimage_height: {}\n", size.width, size.height);
   const Eigen::Isometry3d second = rig[1].cameraFromWorld * rig[0].cameraFromWorld.inverse();
@@ -220,10 +219,10 @@ CalibrationFormat opencvFormat() {
   format.name = "opencv";
   format.title = "OpenCV calibration sample";
   format.extension = ".yml";
-  format.contents = "8 coefficients or fisheye, one camera a file, the pose as the one view's "
-                    "(camera from board), in the unit of its board";
+  format.description = "8 coefficients or fisheye, one camera a file, the pose as the one view's "
+                       "(camera from board), in the unit of its board";
   format.layout = FileLayout::FilePerCamera;
-  format.lenses = {8, true};
+  format.lensSupport = {8, true};
   format.recognize = recognizeCamera;
   format.read = readOpenCvCamera;
   format.write = writeCameras;
@@ -235,11 +234,11 @@ CalibrationFormat opencvStereoFormat() {
   format.name = "opencv-stereo";
   format.title = "OpenCV stereo sample";
   format.extension = ".yml";
-  format.contents =
+  format.description =
       "8 coefficients, two cameras with images of one size, the second from the first, in "
       "the unit of its board; no names, no world";
   format.layout = FileLayout::CameraPair;
-  format.lenses = {8, false};
+  format.lensSupport = {8, false};
   format.firstCameraIsWorld = true;
   format.recognize = recognizePair;
   format.read = readPair;

@@ -134,9 +134,9 @@ std::string readPlainSize(const YamlReader& reader, const CalibrationHints& hint
       return width;
     }
   }
-  if (hints.size) {
-    parts.width = (*hints.size)[0];
-    parts.height = (*hints.size)[1];
+  if (hints.imageSize) {
+    parts.width = (*hints.imageSize)[0];
+    parts.height = (*hints.imageSize)[1];
   } else {
     reader.fail(ErrorCode::MissingKey, "image_size",
                 "the file does not contain the image size; convert with --size WIDTHxHEIGHT");
@@ -213,7 +213,7 @@ Result<Camera> readSection(const CameraSection& section, const std::string& file
   if (reader.error()) {
     return tl::make_unexpected(*reader.error());
   }
-  const auto field = [&](const char* key) { return reader.field(key != nullptr ? key : ""); };
+  const auto field = [&](const char* key) { return reader.fieldPath(key != nullptr ? key : ""); };
   return checkedCamera(
       parts, file,
       {field(size.c_str()), field(matrix), field(lens), field(rotation), field(translation)});
@@ -266,11 +266,11 @@ CalibrationFormat plainFormat() {
   format.title = "K, distortion, R and t";
   format.extension = ".json";
   format.otherExtensions = {".yaml", ".yml"};
-  format.contents =
+  format.description =
       "8 coefficients or fisheye, one camera, or several in a list or by name, camera "
       "from world, with an image size and a unit if they were written";
   format.layout = FileLayout::FilePerCamera;
-  format.lenses = {8, true};
+  format.lensSupport = {8, true};
   format.isFallback = true;
   format.recognize = recognizePlain;
   format.read = readPlain;

@@ -205,9 +205,9 @@ CalibrationFormat qualisysFormat() {
   format.name = "qualisys";
   format.title = "Qualisys";
   format.extension = ".qca.txt";
-  format.contents =
+  format.description =
       "5 coefficients, world from camera with cameras that look along -z, mm, 1/64 pixels";
-  format.lenses = {5, false};
+  format.lensSupport = {5, false};
   format.metersPerUnit = 0.001;
   format.defaultMetersPerUnit = 0.001;
   format.recognize = recognizeQualisys;

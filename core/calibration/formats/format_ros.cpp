@@ -142,7 +142,7 @@ std::string matrixText(const char* key, const Eigen::MatrixXd& matrix) {
 }
 
 std::string rosCameraText(const Camera& camera) {
-  const auto coefficients = shortestCoefficients(camera, 5);
+  const auto coefficients = trimmedDistortion(camera, 5);
   const char* model = camera.lens == LensModel::Fisheye ? "equidistant"
                       : coefficients.size() == 8        ? "rational_polynomial"
                                                         : "plumb_bob";
@@ -189,10 +189,11 @@ CalibrationFormat rosFormat() {
   format.name = "ros";
   format.title = "ROS camera_info";
   format.extension = ".yaml";
-  format.contents = "8 coefficients (plumb_bob, rational_polynomial) or fisheye (equidistant), one "
-                    "camera a file; poses in static_transforms.yaml beside it, meters";
+  format.description =
+      "8 coefficients (plumb_bob, rational_polynomial) or fisheye (equidistant), one "
+      "camera a file; poses in static_transforms.yaml beside it, meters";
   format.layout = FileLayout::FilePerCamera;
-  format.lenses = {8, true};
+  format.lensSupport = {8, true};
   format.metersPerUnit = 1.0;
   format.recognize = recognizeRos;
   format.read = readRos;

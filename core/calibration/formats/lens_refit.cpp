@@ -115,8 +115,8 @@ bool isLensSupported(const Camera& camera, const LensSupport& range) {
   if (camera.lens == LensModel::Fisheye) {
     return range.supportsFisheye;
   }
-  return std::all_of(camera.distortion.begin() + range.pinholeCoefficients, camera.distortion.end(),
-                     [](double value) { return value == 0.0; });
+  return std::all_of(camera.distortion.begin() + range.pinholeCoefficientCount,
+                     camera.distortion.end(), [](double value) { return value == 0.0; });
 }
 
 LensRefit refitLens(const Camera& camera, const LensSupport& range) {
@@ -126,8 +126,8 @@ LensRefit refitLens(const Camera& camera, const LensSupport& range) {
     return refit;
   }
   const auto seen = samples(camera);
-  auto parameters = startOf(camera, range.pinholeCoefficients);
-  solve(seen, range.pinholeCoefficients, parameters);
+  auto parameters = startOf(camera, range.pinholeCoefficientCount);
+  solve(seen, range.pinholeCoefficientCount, parameters);
   refit.isRefitted = true;
   refit.camera.lens = LensModel::Pinhole;
   auto& in = refit.camera.intrinsics;

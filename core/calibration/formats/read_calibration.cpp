@@ -105,7 +105,7 @@ Status finish(const CalibrationFormat& format, const CalibrationHints& hints,
     calibration.decisions.emplace_back(
         "The file contains no pose, so the axes of the camera are the world.");
   }
-  return checkPlausible(calibration, hints, file);
+  return checkPlausibility(calibration, hints, file);
 }
 
 Result<ParsedCalibration> readOne(const CalibrationText& source, const CalibrationHints& hints,

@@ -41,7 +41,7 @@ bool isPose2Sim(const CameraTables& cameras) {
 
 } // namespace
 
-TomlDialect tomlDialect(const CalibrationText& source) {
+TomlDialect recognizeTomlDialect(const CalibrationText& source) {
   const auto table = parseToml(source.text, source.file.string());
   if (!table) {
     return TomlDialect::None;

@@ -21,7 +21,7 @@ enum class TomlDialect {
 };
 
 /// Returns the tool that wrote a file; None if the file has no camera table or is not TOML.
-TomlDialect tomlDialect(const CalibrationText& source);
+TomlDialect recognizeTomlDialect(const CalibrationText& source);
 
 /// Reads every camera table in a file, except [metadata], in the unit of the file. A camera without
 /// `name` is named after its table. `ignoredKeys` lists keys from other tools that are ignored.

@@ -41,7 +41,7 @@ YamlReader::YamlReader(const YAML::Node& node, std::string file, std::string pre
     : node_(node), file_(std::move(file)), prefix_(std::move(prefix)),
       error_(std::make_shared<std::optional<Error>>()) {
   if (node_.IsDefined() && node_.IsMap() && node_.size() > kMostKeys) {
-    *error_ = Error{ErrorCode::BadValue, file_, field(fmt::format("key {}", kMostKeys + 1)),
+    *error_ = Error{ErrorCode::BadValue, file_, fieldPath(fmt::format("key {}", kMostKeys + 1)),
                     fmt::format("at most {} keys are possible", kMostKeys)};
     node_ = YAML::Node(YAML::NodeType::Undefined);
   }

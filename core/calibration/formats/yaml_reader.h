@@ -46,7 +46,7 @@ public:
 
   void fail(ErrorCode code, const std::string& key, std::string detail) const;
   const std::optional<Error>& error() const { return *error_; }
-  std::string field(const std::string& key) const { return prefix_ + key; }
+  std::string fieldPath(const std::string& key) const { return prefix_ + key; }
 
 private:
   YAML::Node find(const std::string& key) const;

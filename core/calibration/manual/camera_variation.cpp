@@ -60,7 +60,7 @@ Eigen::Isometry3d CameraVariation::step(const ChangeVector& change) const {
   return result;
 }
 
-Camera CameraVariation::changed(const ChangeVector& change) const {
+Camera CameraVariation::changedCamera(const ChangeVector& change) const {
   Camera result = camera_;
   result.cameraFromWorld = step(change) * camera_.cameraFromWorld;
   result.intrinsics.focalX *= std::exp(change[6]);
@@ -68,8 +68,8 @@ Camera CameraVariation::changed(const ChangeVector& change) const {
   return result;
 }
 
-std::optional<Eigen::Vector2d> CameraVariation::pixel(const ChangeVector& change,
-                                                      const Eigen::Vector3d& world) const {
+std::optional<Eigen::Vector2d> CameraVariation::projectedPixel(const ChangeVector& change,
+                                                               const Eigen::Vector3d& world) const {
   const auto seen = lens_.project(step(change) * (camera_.cameraFromWorld * world));
   if (!seen) {
     return std::nullopt;
@@ -83,7 +83,7 @@ CameraVariation::residuals(const ChangeVector& change,
                            const std::vector<ImageAnchor>& anchors) const {
   Eigen::VectorXd result(2 * static_cast<Eigen::Index>(anchors.size()));
   for (std::size_t k = 0; k < anchors.size(); ++k) {
-    const auto seen = pixel(change, anchors[k].world);
+    const auto seen = projectedPixel(change, anchors[k].world);
     if (!seen) {
       return std::nullopt;
     }
@@ -125,7 +125,7 @@ double rmsOfPoints(const Eigen::VectorXd& residuals) {
 }
 
 std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>& anchors,
-                                 bool estimateFocal) {
+                                 bool estimatesFocal) {
   // A change is a small rotation; from where it led, the next one is small again.
   /// Steps of the solver.
   constexpr int kMostRounds = 10;
@@ -143,7 +143,7 @@ std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>&
     const CameraVariation around(camera, meanDistance(camera, anchors));
     ChangeVector change = ChangeVector::Zero();
     ceres::Problem problem;
-    problem.AddResidualBlock(new PoseCost(around, anchors, estimateFocal ? 7 : 6), nullptr,
+    problem.AddResidualBlock(new PoseCost(around, anchors, estimatesFocal ? 7 : 6), nullptr,
                              change.data());
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
@@ -152,7 +152,7 @@ std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>&
     if (!residuals) {
       return rms;
     }
-    camera = around.changed(change);
+    camera = around.changedCamera(change);
     rms = rmsOfPoints(*residuals);
     if (summary.final_cost >= (1.0 - kGain) * summary.initial_cost) {
       break;

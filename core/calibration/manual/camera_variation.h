@@ -32,10 +32,10 @@ public:
   CameraVariation(const Camera& camera, double depth);
 
   /// Returns the camera after a change.
-  Camera changed(const ChangeVector& change) const;
+  Camera changedCamera(const ChangeVector& change) const;
   /// Returns the pixel of a world point after a change, or nothing if the camera does not see it.
-  std::optional<Eigen::Vector2d> pixel(const ChangeVector& change,
-                                       const Eigen::Vector3d& world) const;
+  std::optional<Eigen::Vector2d> projectedPixel(const ChangeVector& change,
+                                                const Eigen::Vector3d& world) const;
   /// Returns the residuals after a change: the projections of the points minus the given pixels,
   /// two rows per point. Returns nothing if a point is not visible.
   std::optional<Eigen::VectorXd> residuals(const ChangeVector& change,
@@ -59,11 +59,11 @@ double meanDistance(const Camera& camera, const std::vector<ImageAnchor>& anchor
 /// per point, as from CameraVariation::residuals().
 double rmsOfPoints(const Eigen::VectorXd& residuals);
 
-/// Refines the pose of `camera` and, if `estimateFocal`, its focal length by least squares (Ceres).
-/// Returns the root mean square distance in pixels between the given pixels of the points and their
-/// projections, or nothing if a point is not visible from the start pose.
+/// Refines the pose of `camera` and, if `estimatesFocal`, its focal length by least squares
+/// (Ceres). Returns the root mean square distance in pixels between the given pixels of the points
+/// and their projections, or nothing if a point is not visible from the start pose.
 std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>& anchors,
-                                 bool estimateFocal);
+                                 bool estimatesFocal);
 
 /// Difference between two poses of a camera.
 struct PoseShift {

@@ -18,7 +18,7 @@ std::vector<ImageAnchor> anchorsOf(const std::vector<MeasuredPoint>& points, int
                                    std::optional<int> without = std::nullopt) {
   std::vector<ImageAnchor> anchors;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const PointClick* click = clickIn(points[k], camera);
+    const PointClick* click = findClick(points[k], camera);
     if (click != nullptr && without != static_cast<int>(k)) {
       anchors.push_back({points[k].world, click->pixel});
     }
@@ -35,7 +35,7 @@ double rmsOf(const std::vector<ClickResidual>& residuals, const std::vector<bool
   int count = 0;
   for (const ClickResidual& residual : residuals) {
     if (solved[static_cast<std::size_t>(residual.camera)]) {
-      sum += residual.pixels * residual.pixels;
+      sum += residual.imageDistancePx * residual.imageDistancePx;
       ++count;
     }
   }
@@ -75,9 +75,9 @@ void findWorst(const std::vector<bool>& solved, const std::vector<MeasuredPoint>
   constexpr double kExplained = 0.4; // of the rms with it
   double largest = -1.0;             // exact points have a worst one, too
   for (const ClickResidual& residual : solution.residuals) {
-    if (solved[static_cast<std::size_t>(residual.camera)] && residual.pixels > largest) {
-      largest = residual.pixels;
-      solution.worstPoint = residual.point;
+    if (solved[static_cast<std::size_t>(residual.camera)] && residual.imageDistancePx > largest) {
+      largest = residual.imageDistancePx;
+      solution.worstPoint = residual.pointIndex;
     }
   }
   if (solution.rmsPx < kNoise) {
@@ -107,20 +107,20 @@ bool zPointsDown(const std::vector<CameraClicks>& clicked) {
   std::size_t inverted = 0;
   bool inSpace = false;
   for (const CameraClicks& one : clicked) {
-    const WorldSide side =
-        isSolved(one.pose.status) ? worldSideOf(one.pose, one.anchors) : WorldSide::Unknown;
-    if (side == WorldSide::Upright) {
+    const WorldUprightness side = isSolved(one.pose.status) ? uprightnessOf(one.pose, one.anchors)
+                                                            : WorldUprightness::Unknown;
+    if (side == WorldUprightness::Upright) {
       return false;
     }
-    inverted += side == WorldSide::Inverted ? 1 : 0;
-    inSpace = inSpace || (side == WorldSide::Inverted && !one.pose.isPlanar);
+    inverted += side == WorldUprightness::Inverted ? 1 : 0;
+    inSpace = inSpace || (side == WorldUprightness::Inverted && !one.pose.arePointsCoplanar);
   }
   return inverted > 1 || inSpace;
 }
 
 } // namespace
 
-const PointClick* clickIn(const MeasuredPoint& point, int camera) {
+const PointClick* findClick(const MeasuredPoint& point, int camera) {
   const auto found = std::ranges::find(point.clicks, camera, &PointClick::camera);
   return found == point.clicks.end() ? nullptr : &*found;
 }
@@ -149,7 +149,7 @@ std::vector<ClickResidual> clickResiduals(const CameraRig& rig,
     const Projector projector(rig[camera]);
     const Unprojector unprojector(rig[camera]);
     for (std::size_t k = 0; k < points.size(); ++k) {
-      const PointClick* click = clickIn(points[k], static_cast<int>(camera));
+      const PointClick* click = findClick(points[k], static_cast<int>(camera));
       if (click == nullptr) {
         continue;
       }
@@ -161,7 +161,7 @@ std::vector<ClickResidual> clickResiduals(const CameraRig& rig,
                            ray ? distanceToRay(*ray, points[k].world) : kNever});
     }
   }
-  std::ranges::stable_sort(residuals, {}, &ClickResidual::point);
+  std::ranges::stable_sort(residuals, {}, &ClickResidual::pointIndex);
   return residuals;
 }
 
@@ -179,7 +179,7 @@ PointSolution solveFromPoints(const CameraRig& rig, const std::vector<MeasuredPo
   for (std::size_t k = 0; k < rig.size(); ++k) {
     auto anchors = anchorsOf(points, static_cast<int>(k));
     if (!anchors.empty()) {
-      const PointPose pose = poseFromPoints(rig[k], anchors, settings.estimateFocal);
+      const PointPose pose = poseFromPoints(rig[k], anchors, settings.estimatesFocal);
       clicked.push_back({k, std::move(anchors), pose});
     }
   }
@@ -191,8 +191,8 @@ PointSolution solveFromPoints(const CameraRig& rig, const std::vector<MeasuredPo
       solution.rig[k] = pose.camera;
       solved[k] = true;
     }
-    const bool isExplained =
-        isInverted && isSolved(pose.status) && worldSideOf(pose, anchors) == WorldSide::Inverted;
+    const bool isExplained = isInverted && isSolved(pose.status) &&
+                             uprightnessOf(pose, anchors) == WorldUprightness::Inverted;
     if ((isSolved(pose.status) && !isExplained) || pose.status == PoseStatus::NoPose) {
       camera.proposal = proposeSymmetry(rig[k], anchors, pose);
     }

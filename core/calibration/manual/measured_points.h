@@ -33,7 +33,7 @@ struct MeasuredPoint {
 };
 
 /// Returns the click on a point in a camera's image, or null if there is none.
-const PointClick* clickIn(const MeasuredPoint& point, int camera);
+const PointClick* findClick(const MeasuredPoint& point, int camera);
 
 /// Sets the pixel at which a camera sees the point, and the frame of the click (PointClick::frame).
 /// Replaces an earlier click in this camera.
@@ -47,11 +47,11 @@ bool isClickedOnlyInOtherFrames(const MeasuredPoint& point, std::int64_t frame);
 
 /// Distance between a click and the pixel at which the camera should see the point.
 struct ClickResidual {
-  int point = 0;
+  int pointIndex = 0;
   int camera = 0;
   /// Distance in the image, pixels; infinite if the camera does not see the point.
-  double pixels = 0.0;
-  double meters = 0.0; ///< distance from the point to the ray through the click, meters
+  double imageDistancePx = 0.0;
+  double rayDistance = 0.0; ///< distance from the point to the ray through the click, meters
 };
 /// Returns the residuals of all clicks for the current poses of the rig.
 std::vector<ClickResidual> clickResiduals(const CameraRig& rig,
@@ -110,7 +110,7 @@ struct PointSolution {
 /// Settings of solveFromPoints(), which estimates camera poses from clicks on measured points.
 struct PointSettings {
   /// True to estimate the focal lengths of cameras with kFewestPointsOfFocal points.
-  bool estimateFocal = false;
+  bool estimatesFocal = false;
   double tapeSigma = 0.003; ///< standard deviation of a tape measurement, meters
   double clickSigma = 0.5;  ///< standard deviation of a click, pixels
 };

@@ -181,8 +181,8 @@ Result<MovedCameraPose> estimateMovedPose(const Camera& camera, const CameraMoti
   const Vector6 change = solver.solve();
   MovedCameraPose moved;
   moved.camera = movedCamera(camera, change);
-  moved.medianPxBefore = medianPixels(camera, sightings);
-  moved.medianPxAfter = medianPixels(moved.camera, sightings);
+  moved.medianResidualPxBefore = medianPixels(camera, sightings);
+  moved.medianResidualPxAfter = medianPixels(moved.camera, sightings);
   const Matrix6 covariance = solver.covarianceAt(change);
   moved.angleSigma = covariance.diagonal().head<3>().cwiseSqrt();
   moved.shiftSigma = covariance.diagonal().tail<3>().cwiseSqrt();

@@ -37,10 +37,10 @@ struct MovedCameraPose {
   int usedSightingCount = 0;
   /// Median distance between the pixels of all sightings and their projections with the old pose,
   /// in pixels; 0 if there are no sightings.
-  double medianPxBefore = 0.0;
+  double medianResidualPxBefore = 0.0;
   /// Median distance between the pixels of all sightings and their projections with the new pose,
   /// pixels.
-  double medianPxAfter = 0.0;
+  double medianResidualPxAfter = 0.0;
   /// Standard deviation of the rotation, radians, camera axes.
   Eigen::Vector3d angleSigma = Eigen::Vector3d::Zero();
   /// Standard deviation of the position, meters, camera axes.

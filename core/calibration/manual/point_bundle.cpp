@@ -20,7 +20,8 @@ public:
   bool operator()(const double* pose, const double* offset, double* residual) const {
     ChangeVector change = ChangeVector::Zero();
     change.head<6>() = Eigen::Map<const Eigen::Matrix<double, 6, 1>>(pose);
-    const auto seen = change_.pixel(change, world_ + Eigen::Map<const Eigen::Vector3d>(offset));
+    const auto seen =
+        change_.projectedPixel(change, world_ + Eigen::Map<const Eigen::Vector3d>(offset));
     if (!seen) {
       return false;
     }
@@ -59,13 +60,13 @@ void refineCamerasAndPoints(CameraRig& rig, const std::vector<bool>& solved,
   for (std::size_t c = 0; c < rig.size(); ++c) {
     std::vector<ImageAnchor> anchors;
     for (const MeasuredPoint& point : points) {
-      if (const PointClick* click = clickIn(point, static_cast<int>(c))) {
+      if (const PointClick* click = findClick(point, static_cast<int>(c))) {
         anchors.push_back({point.world, click->pixel});
       }
     }
     depths[c] = meanDistance(rig[c], anchors);
     for (std::size_t k = 0; solved[c] && k < points.size(); ++k) {
-      if (const PointClick* click = clickIn(points[k], static_cast<int>(c))) {
+      if (const PointClick* click = findClick(points[k], static_cast<int>(c))) {
         using Cost = ceres::NumericDiffCostFunction<ClickCost, ceres::CENTRAL, 2, 6, 3>;
         auto* cost =
             new ClickCost(rig[c], depths[c], points[k].world, click->pixel, settings.clickSigma);
@@ -97,7 +98,7 @@ void refineCamerasAndPoints(CameraRig& rig, const std::vector<bool>& solved,
     if (solved[c]) {
       ChangeVector change = ChangeVector::Zero();
       change.head<6>() = Eigen::Map<const Eigen::Matrix<double, 6, 1>>(poses[c].data());
-      rig[c] = CameraVariation(rig[c], depths[c]).changed(change);
+      rig[c] = CameraVariation(rig[c], depths[c]).changedCamera(change);
     }
   }
 }

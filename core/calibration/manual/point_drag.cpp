@@ -177,7 +177,7 @@ DragResult follow(const Camera& camera, const CameraVariation& change, Constrain
       ++halvings;
     }
   }
-  return finished(done > 0.0 ? change.changed(solver.full(q)) : camera, limit, dragged);
+  return finished(done > 0.0 ? change.changedCamera(solver.full(q)) : camera, limit, dragged);
 }
 
 } // namespace

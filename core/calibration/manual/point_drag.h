@@ -38,7 +38,7 @@ struct DragResult {
   Camera camera;                     ///< camera at the end of the drag
   DragLimit limit = DragLimit::None; ///< reason why the drag stopped early; None if it did not
   /// Distance at the end between the pixel of the dragged point and the requested pixel, in pixels.
-  double missPx = 0.0;
+  double distanceToRequestedPx = 0.0;
 };
 
 /// Maximum number of points that can be held during a drag, which means that they keep their

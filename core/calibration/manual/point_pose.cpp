@@ -125,7 +125,7 @@ bool isBelowPlane(const Camera& camera, const std::vector<ImageAnchor>& anchors)
 } // namespace
 
 PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& anchors,
-                         bool estimateFocal) {
+                         bool estimatesFocal) {
   PointPose result{camera, PoseStatus::TooFew, false, 0.0};
   if (anchors.size() < std::size_t(kFewestPointsOfPose)) {
     return result;
@@ -135,9 +135,9 @@ PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& a
     result.status = PoseStatus::Collinear;
     return result;
   }
-  result.isPlanar = extent[2] <= kThin * extent[0];
+  result.arePointsCoplanar = extent[2] <= kThin * extent[0];
   std::vector<PointPose> poses;
-  for (const Eigen::Isometry3d& pose : candidates(camera, anchors, result.isPlanar)) {
+  for (const Eigen::Isometry3d& pose : candidates(camera, anchors, result.arePointsCoplanar)) {
     PointPose found = result;
     found.camera.cameraFromWorld = pose;
     found.status = PoseStatus::None;
@@ -152,26 +152,27 @@ PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& a
   }
   std::ranges::stable_sort(poses, {}, &PointPose::rmsPx);
   poses.front().status =
-      result.isPlanar && hasSecondPose(poses) ? PoseStatus::Ambiguous : PoseStatus::None;
-  if (estimateFocal && anchors.size() >= std::size_t(kFewestPointsOfFocal)) {
+      result.arePointsCoplanar && hasSecondPose(poses) ? PoseStatus::Ambiguous : PoseStatus::None;
+  if (estimatesFocal && anchors.size() >= std::size_t(kFewestPointsOfFocal)) {
     poses.front().rmsPx = refinePose(poses.front().camera, anchors, true).value_or(poses[0].rmsPx);
   }
   return poses.front();
 }
 
-WorldSide worldSideOf(const PointPose& found, const std::vector<ImageAnchor>& anchors) {
+WorldUprightness uprightnessOf(const PointPose& found, const std::vector<ImageAnchor>& anchors) {
   constexpr double kUpsideDown = 120.0 * std::numbers::pi / 180.0; // of roll; on its side is less
   constexpr double kClearlyBelow = 0.1; // of the distance: six degrees; level with them is not
   if (found.status == PoseStatus::NoPose || found.rmsPx > kBadPx || isSteep(found.camera)) {
-    return WorldSide::Unknown;
+    return WorldUprightness::Unknown;
   }
   const Eigen::Vector3d center = found.camera.center();
   const bool isBelow = std::ranges::all_of(anchors, [&](const ImageAnchor& anchor) {
     const Eigen::Vector3d up = anchor.world - center;
     return up.z() > kClearlyBelow * up.norm();
   });
-  return isBelow && std::abs(headingOf(found.camera).roll) > kUpsideDown ? WorldSide::Inverted
-                                                                         : WorldSide::Upright;
+  return isBelow && std::abs(headingOf(found.camera).roll) > kUpsideDown
+             ? WorldUprightness::Inverted
+             : WorldUprightness::Upright;
 }
 
 std::optional<SymmetryProposal> proposeSymmetry(const Camera& camera,
@@ -181,14 +182,14 @@ std::optional<SymmetryProposal> proposeSymmetry(const Camera& camera,
   const bool looksBad = found.status == PoseStatus::NoPose || found.rmsPx > kBadPx;
   const double roll = headingOf(found.camera).roll;
   const bool lies = !isSteep(found.camera) && std::abs(roll) > 60.0 * std::numbers::pi / 180.0;
-  const bool through = found.isPlanar && isBelowPlane(found.camera, anchors);
+  const bool through = found.arePointsCoplanar && isBelowPlane(found.camera, anchors);
   if (!looksBad && !lies && !through) {
     return std::nullopt;
   }
   std::optional<SymmetryProposal> best;
   double bestRoll = std::abs(roll);
   for (const ImageSymmetry& symmetry : imageSymmetries()) {
-    if (symmetry == ImageSymmetry{} || (symmetry.mirrored && !looksBad && !through)) {
+    if (symmetry == ImageSymmetry{} || (symmetry.isMirrored && !looksBad && !through)) {
       continue;
     }
     const auto moved = transformedAnchors(symmetry, camera, anchors);

@@ -10,17 +10,17 @@ namespace dewpoint::calibration {
 struct PointPose {
   Camera camera;
   PoseStatus status = PoseStatus::None;
-  bool isPlanar = false;
+  bool arePointsCoplanar = false;
   double rmsPx = 0.0;
 };
 
 /// Estimates the pose of a camera from points and their pixels, by perspective-n-point without a
-/// start value and then by least squares. With `estimateFocal`, also estimates its focal length.
+/// start value and then by least squares. With `estimatesFocal`, also estimates its focal length.
 PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& anchors,
-                         bool estimateFocal);
+                         bool estimatesFocal);
 
 /// Direction of the world's z axis, as shown by the pose of one camera.
-enum class WorldSide {
+enum class WorldUprightness {
   Unknown, ///< the points fit badly, or the camera looks steeply down or up
   Upright, ///< no sign that z points down
   /// The image is upside down with respect to this world, and all points lie above the camera.
@@ -29,7 +29,7 @@ enum class WorldSide {
 
 /// Returns whether the z axis of the world points up, as far as one camera shows. Assumes that the
 /// images of this camera are upright. `found` is the result of poseFromPoints() for these anchors.
-WorldSide worldSideOf(const PointPose& found, const std::vector<ImageAnchor>& anchors);
+WorldUprightness uprightnessOf(const PointPose& found, const std::vector<ImageAnchor>& anchors);
 
 /// Checks whether the images of a camera are rotated or mirrored. `found` is the result of
 /// poseFromPoints() for the current images. A change (a rotation or mirroring of the images) is

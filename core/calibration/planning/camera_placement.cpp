@@ -39,7 +39,7 @@ public:
     low_.z() += kLowest * (high_.z() - low_.z());
   }
 
-  double within() const { return map_.fractionWithin(settings_.goodSigma); }
+  double within() const { return map_.fractionWithin(settings_.maxGoodSigma); }
   Camera cameraAt(const Mount& mount) const {
     Camera camera = lens_;
     camera.cameraFromWorld = lookAt(mount.position, mount.target);
@@ -66,7 +66,7 @@ double Search::worth(const Mount& mount) {
   map_.setCamera(count_, cameraAt(mount));
   double sum = 0.0;
   for (std::size_t i = 0; i < map_.largestSigmas().size(); ++i) {
-    const double ratio = double(map_.largestSigmas()[i]) / settings_.goodSigma;
+    const double ratio = double(map_.largestSigmas()[i]) / settings_.maxGoodSigma;
     sum += std::isnan(ratio) ? 0.0 : 1.0 / (1.0 + ratio * ratio);
     sum += kSeen * std::min<int>(map_.cameraCounts()[i], 2);
   }
@@ -151,7 +151,7 @@ Status check(const Camera& lens, const PlacementSettings& settings) {
   if (in.width <= 0 || in.height <= 0 || !(in.focalX > 0.0) || !(in.focalY > 0.0)) {
     return bad("lens", "has no image size or focal length");
   }
-  if (!(settings.pixelSigma > 0.0) || !(settings.goodSigma > 0.0)) {
+  if (!(settings.pixelSigma > 0.0) || !(settings.maxGoodSigma > 0.0)) {
     return bad("sigma", "must be positive");
   }
   return {};
@@ -159,7 +159,7 @@ Status check(const Camera& lens, const PlacementSettings& settings) {
 
 double fractionWithin(const CameraRig& rig, const PlacementSettings& settings) {
   const VolumeGrid cells = gridOver(settings.volume, settings.reportedCellCount);
-  return summaryOf(RigMapper().map(cells, settings.pixelSigma, rig), settings.goodSigma)
+  return summaryOf(RigMapper().map(cells, settings.pixelSigma, rig), settings.maxGoodSigma)
       .fractionWithinLimit;
 }
 
@@ -200,7 +200,7 @@ Result<PlacedCamera> placeCamera(const CameraRig& rig, const Camera& lens,
   }
   Search search(rig, lens, settings);
   PlacedCamera result;
-  result.goodFractionBefore = search.within();
+  result.goodVolumeFractionBefore = search.within();
   const std::vector<Mount> mounts = search.mounts();
   Mount best = mounts.front();
   double value = -1.0;
@@ -217,12 +217,12 @@ Result<PlacedCamera> placeCamera(const CameraRig& rig, const Camera& lens,
   best = search.improved(best);
   (void)search.worth(best);
   result.camera = search.cameraAt(best);
-  result.goodFractionAfter = search.within();
+  result.goodVolumeFractionAfter = search.within();
   if (settings.reportedCellCount > 0) {
     CameraRig with = rig;
     with.push_back(result.camera);
-    result.goodFractionBefore = fractionWithin(rig, settings);
-    result.goodFractionAfter = fractionWithin(with, settings);
+    result.goodVolumeFractionBefore = fractionWithin(rig, settings);
+    result.goodVolumeFractionAfter = fractionWithin(with, settings);
   }
   return result;
 }

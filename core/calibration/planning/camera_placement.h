@@ -29,7 +29,7 @@ struct PlacementSettings {
   double wallDistance = 0.0;
   double pixelSigma = 0.5; ///< standard deviation of an image measurement, pixels
   /// Largest standard deviation with which a position counts as good enough, meters.
-  double goodSigma = 0.005;
+  double maxGoodSigma = 0.005;
   std::size_t cellCount = 900; ///< number of cells into which the volume is divided for the search
   /// Number of cells used to compute the fractions of the volume in PlacedCamera; 0: the same cells
   /// as for the search. To make the fractions agree with a displayed map, set the number of cells
@@ -41,16 +41,16 @@ struct PlacementSettings {
 struct PlacedCamera {
   Camera camera; ///< the given camera in its new pose
   /// Fraction of the volume (0 to 1) in which positions are measured with a standard deviation of
-  /// at most goodSigma, without the new camera.
-  double goodFractionBefore = 0.0;
+  /// at most maxGoodSigma, without the new camera.
+  double goodVolumeFractionBefore = 0.0;
   /// Fraction of the volume (0 to 1) in which positions are measured with a standard deviation of
-  /// at most goodSigma, with the new camera.
-  double goodFractionAfter = 0.0;
+  /// at most maxGoodSigma, with the new camera.
+  double goodVolumeFractionAfter = 0.0;
 };
 
 /// Finds the best pose for an additional camera: on one of the four walls (in the upper half) or on
 /// the ceiling of the volume, looking into it. The score of a pose is the mean of 1 / (1 + (sigma /
-/// goodSigma)²) over the volume, plus a small amount for each part that is visible. This amount
+/// maxGoodSigma)²) over the volume, plus a small amount for each part that is visible. This amount
 /// decides where the first camera is placed, because a single camera does not measure positions.
 /// All poses on a coarse grid, aimed at the center and at four points around it, are compared. The
 /// best one is then moved and rotated in decreasing steps as long as it improves. The same input

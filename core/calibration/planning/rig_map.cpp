@@ -54,7 +54,7 @@ std::optional<std::size_t> cellAt(const VolumeGrid& grid, const Eigen::Vector3d&
     if (!(share >= 0.0 && share <= 1.0)) {
       return std::nullopt;
     }
-    const int count = grid.cells[std::size_t(axis)];
+    const int count = grid.cellsPerAxis[std::size_t(axis)];
     cell[std::size_t(axis)] = std::min(int(share * count), count - 1);
   }
   return grid.index(cell[0], cell[1], cell[2]);
@@ -69,7 +69,8 @@ VolumeGrid gridOver(const Eigen::AlignedBox3d& volume, std::size_t cellCount) {
     return grid;
   }
   for (int axis = 0; axis < 3; ++axis) {
-    grid.cells[std::size_t(axis)] = int(std::clamp(std::round(size[axis] / edge), 1.0, 200.0));
+    grid.cellsPerAxis[std::size_t(axis)] =
+        int(std::clamp(std::round(size[axis] / edge), 1.0, 200.0));
   }
   return grid;
 }

@@ -59,7 +59,7 @@ bool isInside(const Intrinsics& in, double column, double row) {
 
 Eigen::Vector3d VolumeGrid::center(int x, int y, int z) const {
   const Eigen::Array3d position(x + 0.5, y + 0.5, z + 0.5);
-  const Eigen::Array3d count(cells[0], cells[1], cells[2]);
+  const Eigen::Array3d count(cellsPerAxis[0], cellsPerAxis[1], cellsPerAxis[2]);
   return low + ((high - low).array() * position / count).matrix();
 }
 
@@ -77,9 +77,9 @@ UncertaintyMap::UncertaintyMap(const VolumeGrid& grid, double pixelSigma)
   x_.reserve(count);
   y_.reserve(count);
   z_.reserve(count);
-  for (int z = 0; z < grid.cells[2]; ++z) {
-    for (int y = 0; y < grid.cells[1]; ++y) {
-      for (int x = 0; x < grid.cells[0]; ++x) {
+  for (int z = 0; z < grid.cellsPerAxis[2]; ++z) {
+    for (int y = 0; y < grid.cellsPerAxis[1]; ++y) {
+      for (int x = 0; x < grid.cellsPerAxis[0]; ++x) {
         const Eigen::Vector3d center = grid.center(x, y, z);
         x_.push_back(center.x());
         y_.push_back(center.y());
@@ -121,7 +121,7 @@ void UncertaintyMap::compute(const Camera& camera, const PoseCovariance& covaria
   const bool exactPose = covariance.isZero(0.0);
   const double weight = 1.0 / (pixelSigma_ * pixelSigma_);
   information.matrices.assign(x_.size(), {});
-  information.seen.assign(x_.size(), 0);
+  information.isSeen.assign(x_.size(), 0);
   for (std::size_t i = 0; i < x_.size(); ++i) {
     Eigen::Matrix<double, 2, 3> byPoint;
     byPoint << alongX.column[i] - at.column[i], alongY.column[i] - at.column[i],
@@ -140,7 +140,7 @@ void UncertaintyMap::compute(const Camera& camera, const PoseCovariance& covaria
               pixelCovariance(byPoint * worldFromCamera, point, pixelSigma_, covariance).inverse() *
               byPoint;
     }
-    information.seen[i] = 1;
+    information.isSeen[i] = 1;
     information.matrices[i] = {float(given(0, 0)), float(given(0, 1)), float(given(0, 2)),
                                float(given(1, 1)), float(given(1, 2)), float(given(2, 2))};
   }
@@ -154,7 +154,7 @@ void UncertaintyMap::combine() {
   for (std::size_t i = 0; i < count; ++i) {
     std::array<double, 6> sum{};
     for (const Information& camera : cameras_) {
-      counts_[i] = std::uint8_t(counts_[i] + camera.seen[i]);
+      counts_[i] = std::uint8_t(counts_[i] + camera.isSeen[i]);
       for (std::size_t k = 0; k < 6; ++k) {
         sum[k] += double(camera.matrices[i][k]);
       }
@@ -179,7 +179,7 @@ void UncertaintyMap::combine() {
 }
 
 std::span<const float> UncertaintyMap::layer(int z) const {
-  const std::size_t size = std::size_t(grid_.cells[0]) * std::size_t(grid_.cells[1]);
+  const std::size_t size = std::size_t(grid_.cellsPerAxis[0]) * std::size_t(grid_.cellsPerAxis[1]);
   return std::span(largest_).subspan(size * std::size_t(z), size);
 }
 
@@ -188,7 +188,7 @@ std::optional<int> UncertaintyMap::layerAt(double height) const {
   if (!(share >= 0.0 && share <= 1.0)) {
     return std::nullopt;
   }
-  return std::min(int(share * grid_.cells[2]), grid_.cells[2] - 1);
+  return std::min(int(share * grid_.cellsPerAxis[2]), grid_.cellsPerAxis[2] - 1);
 }
 
 double UncertaintyMap::fractionWithin(double sigma) const {

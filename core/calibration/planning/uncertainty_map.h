@@ -17,15 +17,16 @@ namespace dewpoint::calibration {
 struct VolumeGrid {
   Eigen::Vector3d low = Eigen::Vector3d::Zero(); ///< lower corner, meters
   Eigen::Vector3d high = Eigen::Vector3d::Ones();
-  std::array<int, 3> cells{1, 1, 1};
+  std::array<int, 3> cellsPerAxis{1, 1, 1};
 
   std::size_t cellCount() const {
-    return std::size_t(cells[0]) * std::size_t(cells[1]) * std::size_t(cells[2]);
+    return std::size_t(cellsPerAxis[0]) * std::size_t(cellsPerAxis[1]) *
+           std::size_t(cellsPerAxis[2]);
   }
   /// Returns the index of a cell: x varies fastest, then y, then z.
   std::size_t index(int x, int y, int z) const {
-    return std::size_t(x) +
-           std::size_t(cells[0]) * (std::size_t(y) + std::size_t(cells[1]) * std::size_t(z));
+    return std::size_t(x) + std::size_t(cellsPerAxis[0]) *
+                                (std::size_t(y) + std::size_t(cellsPerAxis[1]) * std::size_t(z));
   }
   /// Returns the center of a cell; world, meters.
   Eigen::Vector3d center(int x, int y, int z) const;
@@ -92,7 +93,7 @@ private:
   /// xx xy xz yy yz zz), and whether it sees the cell.
   struct Information {
     std::vector<std::array<float, 6>> matrices;
-    std::vector<std::uint8_t> seen;
+    std::vector<std::uint8_t> isSeen;
   };
   void compute(const Camera& camera, const PoseCovariance& covariance, Information& information);
   void combine();

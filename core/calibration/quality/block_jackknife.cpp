@@ -57,15 +57,16 @@ Result<BundleResult> withHeldCameras(BundleProblem part, const BundleResult& wit
 
 } // namespace
 
-double BlockJackknife::errorFactor() const {
+double BlockJackknife::deviationScale() const {
   const auto count = static_cast<double>(rigs.size());
   return rigs.size() < kLeastSolutions
              ? 0.0
              : std::sqrt((count - 1.0) / count) * studentQuantile95(count - 1.0) / kNormal95;
 }
 
-BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& result,
-                              const InitialCamerasWithoutStates& initialCamerasWithoutStates) {
+BlockJackknife
+leaveOutBlocks(const BundleProblem& problem, const BundleResult& result,
+               const InitialCamerasWithoutStates& estimateInitialCamerasWithoutStates) {
   BlockJackknife jackknife;
   const std::size_t count = problem.states.size();
   const std::size_t blocks = std::min(kMostBlocks, count);
@@ -73,8 +74,9 @@ BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& 
     const std::size_t first = block * count / blocks;
     const std::size_t end = (block + 1) * count / blocks;
     BundleProblem rest = statesOf(problem, first, end, false);
-    const CameraRig before =
-        initialCamerasWithoutStates ? initialCamerasWithoutStates(first, end) : CameraRig{};
+    const CameraRig before = estimateInitialCamerasWithoutStates
+                                 ? estimateInitialCamerasWithoutStates(first, end)
+                                 : CameraRig{};
     for (std::size_t c = 0; c < rest.cameras.size(); ++c) {
       Camera& camera = rest.cameras[c].camera;
       camera.cameraFromWorld = result.cameras[c].cameraFromWorld;
@@ -90,7 +92,7 @@ BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& 
     jackknife.rigs.push_back(without->cameras);
     if (const auto held = withHeldCameras(statesOf(problem, first, end, true), *without)) {
       jackknife.squaredErrorSum +=
-          held->rms * held->rms * static_cast<double>(held->usedObservationCount);
+          held->rmsPx * held->rmsPx * static_cast<double>(held->usedObservationCount);
       jackknife.leftOutPointCount += held->usedObservationCount;
     }
   }

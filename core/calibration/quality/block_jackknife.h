@@ -29,7 +29,7 @@ struct BlockJackknife {
   /// sum of the squares of the products is a variance; 95 % of errors are below 1.96 times its
   /// square root. The factor combines the jackknife's sqrt((G - 1) / G) with Student's t for G - 1
   /// degrees of freedom. 0 if there are fewer than four solutions.
-  double errorFactor() const;
+  double deviationScale() const;
 };
 
 /// Repeats an adjustment without each of at most ten blocks of neighboring states (delete-a-group
@@ -39,7 +39,7 @@ struct BlockJackknife {
 /// repetition without a solution is skipped. States that are `isFixed` are never left out.
 BlockJackknife
 leaveOutBlocks(const BundleProblem& problem, const BundleResult& result,
-               const InitialCamerasWithoutStates& initialCamerasWithoutStates = nullptr);
+               const InitialCamerasWithoutStates& estimateInitialCamerasWithoutStates = nullptr);
 
 /// Returns the displacement of each position (3 rows for each position; meters) for each solution
 /// (columns). The position is triangulated by the cameras of the solution, from the pixels at which
@@ -48,7 +48,7 @@ Eigen::MatrixXd positionChanges(const std::vector<Eigen::Vector3d>& positions, c
                                 const std::vector<CameraRig>& solutions);
 
 /// Returns the deviations of the columns of `changes` (one per solution) from their mean,
-/// multiplied by `factor`, which is BlockJackknife::errorFactor().
+/// multiplied by `factor`, which is BlockJackknife::deviationScale().
 Eigen::MatrixXd jackknifeDeviations(const Eigen::MatrixXd& changes, double factor);
 
 /// Returns the length that a normally distributed vector with this covariance exceeds with a

@@ -63,9 +63,9 @@ void addInformation(const BoardDescription& board, const Camera& camera, const V
 std::optional<double> upSigma(const ExtrinsicsResult& result, const BoardDescription& board,
                               std::int64_t instant) {
   Eigen::Matrix<double, 6, 6> information = Eigen::Matrix<double, 6, 6>::Zero();
-  for (std::size_t k = 0; k < result.fits.size(); ++k) {
-    for (const ViewFit& view : result.fits[k].views) {
-      if (view.used && view.instant == instant) {
+  for (std::size_t k = 0; k < result.cameraFits.size(); ++k) {
+    for (const ViewFit& view : result.cameraFits[k].views) {
+      if (view.isUsed && view.instant == instant) {
         addInformation(board, result.cameras[k], view, information);
       }
     }
@@ -76,7 +76,7 @@ std::optional<double> upSigma(const ExtrinsicsResult& result, const BoardDescrip
   }
   const Eigen::Matrix<double, 6, 6> covariance = solver.inverse();
   const double tilt =
-      result.bundle.noiseFactor * std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1)));
+      result.bundle.residualToSigmaRatio * std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1)));
   const double shorter =
       board.squareSize * std::max(1, std::min(board.cornerColumns(), board.cornerRows()) - 1);
   return std::hypot(tilt, kFlatnessSigma / (0.5 * shorter));
@@ -159,15 +159,16 @@ void countFrames(FaultReport& report, double stride, const ExtrinsicsRequest& re
 
 Result<CalibrationAccuracy> assessBoard(const ExtrinsicsResult& result,
                                         const BoardDescription& board,
-                                        std::optional<std::int64_t> worldInstant,
+                                        std::optional<std::int64_t> worldDefiningInstant,
                                         const std::vector<const IntrinsicsResult*>& lenses) {
   AccuracyPriors known;
   known.scaleSigma =
       kRulerSigma / (board.squareSize * std::max(board.squareColumns(), board.squareRows()));
-  known.upSigma = worldInstant ? upSigma(result, board, *worldInstant) : std::nullopt;
+  known.upSigma =
+      worldDefiningInstant ? upSigma(result, board, *worldDefiningInstant) : std::nullopt;
   const bool estimated = std::ranges::any_of(lenses, [](const auto* lens) { return lens; });
   if (estimated && result.boardPoses.size() == result.problem.states.size()) {
-    known.initialCamerasWithoutStates = [&](std::size_t first, std::size_t end) {
+    known.estimateInitialCamerasWithoutStates = [&](std::size_t first, std::size_t end) {
       return lensesWithout(result, lenses, first, end);
     };
   }
@@ -179,8 +180,8 @@ void setCameraSigmas(const CalibrationAccuracy& accuracy, ExtrinsicsResult& resu
     const std::string& name = result.problem.cameras.at(i).camera.name;
     for (std::size_t k = 0; k < result.cameras.size(); ++k) {
       if (result.cameras[k].name == name) {
-        result.fits[k].centerSigma = accuracy.cameras[i].positionSigma;
-        result.fits[k].rotationSigma = accuracy.cameras[i].rotationSigma;
+        result.cameraFits[k].centerSigma = accuracy.cameras[i].positionSigma;
+        result.cameraFits[k].rotationSigma = accuracy.cameras[i].rotationSigma;
       }
     }
   }

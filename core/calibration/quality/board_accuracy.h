@@ -13,16 +13,16 @@ namespace dewpoint::calibration {
 
 /// Returns the accuracy of poses estimated from a board (assessCalibration()). The error of the
 /// scale is assumed to come from measuring the longer side of the board with a ruler to 0.2 mm. If
-/// the board lay on the floor at `worldInstant`, the accuracy of the upward direction is derived
-/// from the noise of the corners at that instant, assuming that the floor and the board are flat to
-/// 0.5 mm.
+/// the board lay on the floor at `worldDefiningInstant`, the accuracy of the upward direction is
+/// derived from the noise of the corners at that instant, assuming that the floor and the board are
+/// flat to 0.5 mm.
 ///
 /// `lenses` has one entry for each camera of `result.problem`: its intrinsics if they were
 /// estimated from the same recording, otherwise null. Errors of such intrinsics are included in the
 /// accuracy. Errors: those of assessCalibration().
 Result<CalibrationAccuracy> assessBoard(const ExtrinsicsResult& result,
                                         const BoardDescription& board,
-                                        std::optional<std::int64_t> worldInstant,
+                                        std::optional<std::int64_t> worldDefiningInstant,
                                         const std::vector<const IntrinsicsResult*>& lenses = {});
 
 /// Replaces the standard deviations of the camera poses in `result` by those in `accuracy`. Cameras

@@ -81,7 +81,7 @@ Eigen::Matrix3d covarianceOf(const BundleCovariance& covariance, std::size_t cam
 /// What the covariance says, and what the solutions without a block say: the larger.
 CameraAccuracy accuracyOf(std::size_t camera, const BundleResult& result,
                           const std::vector<CameraRig>& solutions, double factor) {
-  const double noise = result.noiseFactor * result.noiseFactor;
+  const double noise = result.residualToSigmaRatio * result.residualToSigmaRatio;
   const Camera& whole = result.cameras[camera];
   Eigen::Matrix3Xd centers(3, static_cast<Eigen::Index>(solutions.size()));
   Eigen::Matrix3Xd turns = centers;
@@ -106,7 +106,7 @@ CameraAccuracy accuracyOf(std::size_t camera, const BundleResult& result,
 /// A matrix whose product with its transpose is the covariance.
 Eigen::MatrixXd root(const Eigen::MatrixXd& covariance) {
   const auto eigen = geometry::symmetricEigen(covariance);
-  return eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  return eigen.eigenvectors * eigen.eigenvalues.cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
 /// The distance that 95 % of the drawn errors keep below. A change of size leaves `middle` where it
@@ -115,7 +115,7 @@ double percentile95(const PositionErrors& errors, const Eigen::MatrixXd& perDraw
                     double pixelSigma, const Eigen::Vector3d& middle) {
   std::vector<Eigen::Matrix3d> noise;
   for (std::size_t i = 0; i < errors.positions.size(); ++i) {
-    noise.emplace_back(pixelSigma * root(errors.noise[i]));
+    noise.emplace_back(pixelSigma * root(errors.noiseCovariances[i]));
   }
   std::vector<double> distances;
   for (std::uint32_t draw = 0; draw < kDraws; ++draw) {
@@ -178,7 +178,7 @@ std::optional<double> upFromFloor(const WandResult& result, const std::vector<do
     spread += (touch - middle / count) * (touch - middle / count).transpose();
   }
   const double scatter =
-      touches.size() > 3 ? result.floorRms * std::sqrt(count / (count - 3.0)) : 0.0;
+      touches.size() > 3 ? result.floorRmsDistance * std::sqrt(count / (count - 3.0)) : 0.0;
   const double least = geometry::symmetricEigen2(spread).values[0];
   return std::max(scatter, kTouchSigma) / std::sqrt(std::max(least, 1e-9));
 }
@@ -186,7 +186,7 @@ std::optional<double> upFromFloor(const WandResult& result, const std::vector<do
 /// Positions that two cameras see, outside the box in which the target was.
 struct OutsidePositions {
   std::vector<Eigen::Vector3d> positions;
-  double distance = 0.0; ///< CalibrationAccuracy::outsideDistance
+  double distance = 0.0; ///< CalibrationAccuracy::outsideRegionDepth
 };
 
 OutsidePositions outsidePositions(const BundleProblem& problem, const BundleResult& result) {
@@ -194,8 +194,8 @@ OutsidePositions outsidePositions(const BundleProblem& problem, const BundleResu
   const PrincipalBox box = principalBox(seen, kOutliers);
   OutsidePositions outside;
   std::vector<double> distances;
-  for (const Eigen::Vector3d& position : commonView(result.cameras, seen).positions) {
-    if (const double distance = box.distance(position); distance > 0.0) {
+  for (const Eigen::Vector3d& position : findCommonView(result.cameras, seen).positions) {
+    if (const double distance = box.distanceTo(position); distance > 0.0) {
       outside.positions.push_back(position);
       distances.push_back(distance);
     }
@@ -221,16 +221,17 @@ void assessOutside(const BundleProblem& problem, const BundleResult& result,
   const auto apart = [&](const Eigen::MatrixXd& here, const Eigen::MatrixXd& there) {
     return removeRigidMotionOf(inside.positions, here, from.sizeless, errors.positions, there);
   };
-  const Eigen::MatrixXd stated = apart(inside.fromCameras, errors.fromCameras) * from.deviation;
+  const Eigen::MatrixXd stated =
+      apart(inside.cameraJacobian, errors.cameraJacobian) * from.deviation;
   const Eigen::MatrixXd found =
       apart(from.apart,
             jackknifeDeviations(positionChanges(errors.positions, result.cameras, from.blocks.rigs),
-                                from.blocks.errorFactor()));
+                                from.blocks.deviationScale()));
   const Eigen::MatrixXd& larger = found.norm() > stated.norm() ? found : stated;
-  accuracy.outsidePosition95 =
-      std::max(accuracy.position95, percentile95(errors, larger, from.scaleSigma, from.pixelSigma,
-                                                 meanVector(inside.positions)));
-  accuracy.outsideDistance = outside.distance;
+  accuracy.outsidePositionError95 = std::max(
+      accuracy.positionError95,
+      percentile95(errors, larger, from.scaleSigma, from.pixelSigma, meanVector(inside.positions)));
+  accuracy.outsideRegionDepth = outside.distance;
 }
 
 } // namespace
@@ -243,49 +244,53 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
     return failure(ErrorCode::Undetermined, "", "accuracy",
                    "no cameras were adjusted, or two cameras saw too few common positions");
   }
-  const bool sizeless = result.covariance.gaugeFreedoms % 2 == 1; // 1 or 7: size is a convention
+  const bool sizeless =
+      result.covariance.gaugeFreedomCount % 2 == 1; // 1 or 7: size is a convention
   const Eigen::MatrixXd perCamera =
-      removeRigidMotion(errors.positions, errors.fromCameras, sizeless);
-  const double noise = std::max(result.noiseFactor, 1e-9);
+      removeRigidMotion(errors.positions, errors.cameraJacobian, sizeless);
+  const double noise = std::max(result.residualToSigmaRatio, 1e-9);
   const Eigen::MatrixXd deviation = noise * root(result.covariance.matrix);
-  BlockJackknife blocks = leaveOutBlocks(problem, result, known.initialCamerasWithoutStates);
-  const double factor = blocks.errorFactor();
+  BlockJackknife blocks =
+      leaveOutBlocks(problem, result, known.estimateInitialCamerasWithoutStates);
+  const double factor = blocks.deviationScale();
   const Eigen::MatrixXd changes = positionChanges(errors.positions, result.cameras, blocks.rigs);
   const Eigen::MatrixXd apart = jackknifeDeviations(changes, factor);
   const Eigen::MatrixXd stated = perCamera * deviation;
   const Eigen::MatrixXd found = removeRigidMotion(errors.positions, apart, sizeless);
   CalibrationAccuracy accuracy;
-  accuracy.changeRatio = ratioOf(found, stated);
-  accuracy.modelFactor = accuracy.changeRatio > kClearlyLarger ? accuracy.changeRatio : 1.0;
+  accuracy.crossValidationErrorRatio = ratioOf(found, stated);
+  accuracy.errorInflationFactor = accuracy.crossValidationErrorRatio > kClearlyLarger
+                                      ? accuracy.crossValidationErrorRatio
+                                      : 1.0;
   accuracy.leftOutPointCount = blocks.leftOutPointCount;
   accuracy.leftOutRmsPx =
       blocks.leftOutPointCount > 0
           ? std::sqrt(blocks.squaredErrorSum / static_cast<double>(blocks.leftOutPointCount))
           : 0.0;
-  const double scale = known.scaleKnown ? known.scaleSigma : 0.0;
+  const double scale = known.isScaleKnown ? known.scaleSigma : 0.0;
   const double pixels = noise * typicalSigma(problem);
   const Eigen::MatrixXd& larger = found.norm() > stated.norm() ? found : stated;
   const Eigen::Vector3d middle = meanVector(errors.positions);
-  accuracy.cameraPart95 = percentile95(errors, larger, scale, 0.0, middle);
-  accuracy.position95 = percentile95(errors, larger, scale, pixels, middle);
+  accuracy.positionErrorFromCameras95 = percentile95(errors, larger, scale, 0.0, middle);
+  accuracy.positionError95 = percentile95(errors, larger, scale, pixels, middle);
   assessOutside(problem, result, errors, {sizeless, deviation, blocks, apart, scale, pixels},
                 accuracy);
-  if (known.scaleKnown && (!sizeless || known.scaleSigma > 0.0)) {
+  if (known.isScaleKnown && (!sizeless || known.scaleSigma > 0.0)) {
     const auto size = [&](const Eigen::MatrixXd& of) {
       return sizeless ? 0.0 : sizeChange(errors.positions, of).norm();
     };
-    accuracy.scale95 =
-        kNinetyFive *
-        std::hypot(std::max(size(errors.fromCameras * deviation), size(apart)), known.scaleSigma);
+    accuracy.scaleError95 =
+        kNinetyFive * std::hypot(std::max(size(errors.cameraJacobian * deviation), size(apart)),
+                                 known.scaleSigma);
   }
-  if (result.covariance.gaugeFreedoms >= 6) {
+  if (result.covariance.gaugeFreedomCount >= 6) {
     alignSolutions(errors, changes, sizeless, blocks.rigs);
   }
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     accuracy.cameras.push_back(accuracyOf(c, result, blocks.rigs, factor));
   }
   if (known.upSigma) {
-    accuracy.upAngle95 = kNinetyFivePlane * *known.upSigma;
+    accuracy.upAngleError95 = kNinetyFivePlane * *known.upSigma;
   }
   return accuracy;
 }
@@ -293,28 +298,30 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
 Result<CalibrationAccuracy> assessWand(const WandResult& result,
                                        const std::vector<double>& floorTimes) {
   AccuracyPriors known;
-  known.scaleKnown = result.scale != WandScale::InitialRig;
+  known.isScaleKnown = result.scaleMethod != WandScale::InitialRig;
   known.scaleSigma = result.scaleSigma;
-  if (result.floorFound) {
+  if (result.isFloorFound) {
     known.upSigma = upFromFloor(result, floorTimes);
   } else if (result.freeFall) {
-    known.upSigma = result.freeFall->sigma / kGravity;
+    known.upSigma = result.freeFall->gravitySigma / kGravity;
   }
   return assessCalibration(result.problem, result.bundle, known);
 }
 
 std::string accuracySummary(const CalibrationAccuracy& accuracy) {
   std::string text =
-      fmt::format("In this volume {} (95 %)", lengthUncertaintyText(accuracy.position95));
-  text += ", scale " + (accuracy.scale95 ? uncertaintyText(inPercent(*accuracy.scale95), "%")
-                                         : std::string("unknown"));
-  text += ", up " + (accuracy.upAngle95 ? uncertaintyText(inDegrees(*accuracy.upAngle95), "degrees")
-                                        : std::string("not measured"));
+      fmt::format("In this volume {} (95 %)", lengthUncertaintyText(accuracy.positionError95));
+  text +=
+      ", scale " + (accuracy.scaleError95 ? uncertaintyText(inPercent(*accuracy.scaleError95), "%")
+                                          : std::string("unknown"));
+  text += ", up " + (accuracy.upAngleError95
+                         ? uncertaintyText(inDegrees(*accuracy.upAngleError95), "degrees")
+                         : std::string("not measured"));
   text += ".";
-  if (accuracy.outsidePosition95) {
-    text +=
-        fmt::format(" Outside it, up to {:.1f} m away, {} (extrapolated).",
-                    accuracy.outsideDistance, lengthUncertaintyText(*accuracy.outsidePosition95));
+  if (accuracy.outsidePositionError95) {
+    text += fmt::format(" Outside it, up to {:.1f} m away, {} (extrapolated).",
+                        accuracy.outsideRegionDepth,
+                        lengthUncertaintyText(*accuracy.outsidePositionError95));
   }
   return text;
 }

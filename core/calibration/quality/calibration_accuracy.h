@@ -16,13 +16,13 @@ namespace dewpoint::calibration {
 struct AccuracyPriors {
   double scaleSigma = 0.0; ///< relative standard deviation of the scale; 0: exact, or unknown
   /// False if the scale is arbitrary; the accuracy of the scale is then not reported.
-  bool scaleKnown = true;
+  bool isScaleKnown = true;
   /// Standard deviation of the upward direction about each of two horizontal axes, radians; empty
   /// if the upward direction is arbitrary.
   std::optional<double> upSigma;
   /// Function that returns the initial cameras without some of the images. Set if the intrinsics
   /// were estimated from the same images.
-  InitialCamerasWithoutStates initialCamerasWithoutStates = nullptr;
+  InitialCamerasWithoutStates estimateInitialCamerasWithoutStates = nullptr;
 };
 
 /// Accuracy of one camera's pose. With a probability of 95 %, the error is at most 1.96 times these
@@ -39,34 +39,36 @@ struct CameraAccuracy {
 struct CalibrationAccuracy {
   /// Error that 95 % of the measured positions do not exceed, for a target in the region where the
   /// board or wand was during the calibration; meters.
-  double position95 = 0.0;
-  /// Part of position95 that is caused by errors of the cameras; meters. Averaging over several
-  /// images does not reduce this part.
-  double cameraPart95 = 0.0;
+  double positionError95 = 0.0;
+  /// Part of positionError95 that is caused by errors of the cameras; meters. Averaging over
+  /// several images does not reduce this part.
+  double positionErrorFromCameras95 = 0.0;
   /// Error that 95 % of the positions outside the region of the board or wand do not exceed, if at
-  /// least two cameras see them (commonView()); meters. This is an extrapolation, because nothing
-  /// was observed there. Never below position95. Empty if there are too few such positions.
-  std::optional<double> outsidePosition95;
-  /// Distance from the calibrated volume within which 95 % of the positions of `outsidePosition95`
-  /// lie, meters; 0 if `outsidePosition95` is empty.
-  double outsideDistance = 0.0;
+  /// least two cameras see them (findCommonView()); meters. This is an extrapolation, because
+  /// nothing was observed there. Never below positionError95. Empty if there are too few such
+  /// positions.
+  std::optional<double> outsidePositionError95;
+  /// Distance from the calibrated volume within which 95 % of the positions of
+  /// `outsidePositionError95` lie, meters; 0 if `outsidePositionError95` is empty.
+  double outsideRegionDepth = 0.0;
   /// Relative error of the scale, not exceeded with 95 % probability.
-  std::optional<double> scale95;
+  std::optional<double> scaleError95;
   /// Error of the upward direction, radians; not exceeded with 95 % probability.
-  std::optional<double> upAngle95;
+  std::optional<double> upAngleError95;
   /// Accuracy of each camera of the problem.
   std::vector<CameraAccuracy> cameras;
   /// Factor by which position errors in the cross-validation are larger than the covariance
   /// predicts; 1 if they are not clearly larger. The accuracies of positions, scale, upward
   /// direction and cameras already include the factor.
-  double modelFactor = 1.0;
+  double errorInflationFactor = 1.0;
   /// Root mean square reprojection error of the image points left out in the cross-validation,
   /// pixels.
   double leftOutRmsPx = 0.0;
   std::size_t leftOutPointCount = 0; ///< number of image points left out in the cross-validation
   /// Ratio of the errors in the cross-validation to the predicted errors; 0 if it is unknown. If
-  /// the ratio is clearly above 1, modelFactor is set to it and enlarges the reported errors.
-  double changeRatio = 0.0;
+  /// the ratio is clearly above 1, errorInflationFactor is set to it and enlarges the reported
+  /// errors.
+  double crossValidationErrorRatio = 0.0;
 };
 
 /// Assesses the accuracy of an adjustment. `problem` and `result` are in the world frame of the

@@ -80,7 +80,7 @@ Eigen::AlignedBox3d boxAround(const CameraRig& rig, const std::vector<BoundedVie
 
 } // namespace
 
-CommonView commonView(const CameraRig& rig, const std::vector<Eigen::Vector3d>& targets) {
+CommonView findCommonView(const CameraRig& rig, const std::vector<Eigen::Vector3d>& targets) {
   CommonView common;
   const auto views = boundedViews(rig, targets);
   if (views.size() < 2) {
@@ -102,7 +102,7 @@ CommonView commonView(const CameraRig& rig, const std::vector<Eigen::Vector3d>& 
         }
         if (seeing.size() > 1) {
           common.positions.push_back(position);
-          common.cameras.push_back(std::move(seeing));
+          common.camerasPerPosition.push_back(std::move(seeing));
         }
       }
     }
@@ -110,7 +110,7 @@ CommonView commonView(const CameraRig& rig, const std::vector<Eigen::Vector3d>& 
   return common;
 }
 
-double PrincipalBox::distance(const Eigen::Vector3d& position) const {
+double PrincipalBox::distanceTo(const Eigen::Vector3d& position) const {
   const Eigen::Vector3d along = axes.transpose() * (position - center);
   return (low - along).cwiseMax(along - high).cwiseMax(0.0).norm();
 }

@@ -13,15 +13,16 @@ namespace dewpoint::calibration {
 
 /// Region that at least two cameras see, represented by positions on a lattice.
 struct CommonView {
-  std::vector<Eigen::Vector3d> positions;        ///< positions in the world frame, meters
-  std::vector<std::vector<std::size_t>> cameras; ///< indices of the cameras that see each position
+  std::vector<Eigen::Vector3d> positions; ///< positions in the world frame, meters
+  std::vector<std::vector<std::size_t>>
+      camerasPerPosition; ///< indices of the cameras that see each position
 };
 
 /// Returns positions that at least two cameras see. They are chosen from a lattice of 16 x 16 x 16
 /// positions, which fills the box around the views of all cameras. The view of a camera is assumed
 /// to end at 1.25 times the distance within which it sees 95 % of its `targets`. A camera that sees
 /// no target is left out. Empty if fewer than two cameras see targets.
-CommonView commonView(const CameraRig& rig, const std::vector<Eigen::Vector3d>& targets);
+CommonView findCommonView(const CameraRig& rig, const std::vector<Eigen::Vector3d>& targets);
 
 /// Box whose sides are parallel to the principal axes of some positions.
 struct PrincipalBox {
@@ -33,7 +34,7 @@ struct PrincipalBox {
 
   Eigen::Vector3d extents() const { return high - low; }
   /// Returns the distance of a position from the box, meters; 0 inside.
-  double distance(const Eigen::Vector3d& position) const;
+  double distanceTo(const Eigen::Vector3d& position) const;
 };
 
 /// Returns the box around the positions. Along each axis, the fraction `outliers` of the positions

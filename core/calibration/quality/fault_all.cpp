@@ -14,7 +14,7 @@ constexpr double kLeastGainOfAll = 25.0;
 
 std::optional<DetectedFault> findCommonFault(const FaultSearchInput& input,
                                              const ImagePoints& imagePoints, const PointFit& fit) {
-  const std::vector<bool> everyone(imagePoints.perCamera.size(), true);
+  const std::vector<bool> everyone(imagePoints.pointsPerCamera.size(), true);
   CameraRig initialRig;
   for (const BundleCamera& camera : input.problem.cameras) {
     initialRig.push_back(camera.camera);
@@ -33,7 +33,7 @@ std::optional<DetectedFault> findCommonFault(const FaultSearchInput& input,
   std::optional<DetectedFault> best;
   for (const double shift : {-0.5, 0.5}) {
     ImagePoints shifted = imagePoints;
-    for (auto& camera : shifted.perCamera) {
+    for (auto& camera : shifted.pointsPerCamera) {
       for (ImagePoint& imagePoint : camera) {
         imagePoint.pixel.array() += shift;
       }
@@ -47,7 +47,7 @@ std::optional<DetectedFault> findCommonFault(const FaultSearchInput& input,
     const double gain = total(fit) - total(*now);
     if (gain > kLeastGainOfAll &&
         worseThanFree < 2.0 * static_cast<double>(initialRig.size()) + 8.0 &&
-        (!best || gain > best->gain)) {
+        (!best || gain > best->logLikelihoodGain)) {
       best = DetectedFault{CalibrationFault::HalfPixel, {}, shift, gain};
     }
   }

@@ -79,7 +79,7 @@ private:
   std::vector<PointCorrespondence> known(double shift) const {
     std::vector<PointCorrespondence> correspondences;
     const auto& times = suspect_.imagePoints->times;
-    for (const ImagePoint& seen : suspect_.imagePoints->perCamera[suspect_.camera]) {
+    for (const ImagePoint& seen : suspect_.imagePoints->pointsPerCamera[suspect_.camera]) {
       const auto instant =
           shift == 0.0 ? std::optional(seen.instant) : instantAt(times[seen.instant] - shift);
       if (!instant) {
@@ -123,7 +123,7 @@ private:
     const double share = input_.isUnsynchronized ? kLeastGainShareUnsynchronized : kLeastGainShare;
     const double gain = numbers_ * (base_.cost - now->cost) - penalty;
     if (gain > std::max(kMinGain, share * numbers_) && now->median < kWellExplained * sigma_ &&
-        (!best_ || gain > best_->gain)) {
+        (!best_ || gain > best_->logLikelihoodGain)) {
       best_ = DetectedFault{fault, {suspect_.camera}, value, gain};
     }
   }
@@ -247,7 +247,7 @@ private:
 
   /// A camera that was moved may be farther off than the initial rig.
   InitialRigSigma widenedSigma() const {
-    return {2.0 * input_.initialSigma.turn, 2.0 * input_.initialSigma.position};
+    return {2.0 * input_.initialSigma.rotation, 2.0 * input_.initialSigma.position};
   }
 
   void tryDelay() {

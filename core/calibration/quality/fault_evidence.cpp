@@ -29,12 +29,12 @@ using SeenBy = std::vector<std::pair<std::size_t, Eigen::Vector2d>>;
 std::vector<std::vector<SeenBy>> seenBy(const ImagePoints& imagePoints,
                                         const std::vector<bool>& use) {
   std::vector<std::vector<SeenBy>> table(imagePoints.times.size(),
-                                         std::vector<SeenBy>(imagePoints.ids));
-  for (std::size_t c = 0; c < imagePoints.perCamera.size(); ++c) {
+                                         std::vector<SeenBy>(imagePoints.maxPointsPerState));
+  for (std::size_t c = 0; c < imagePoints.pointsPerCamera.size(); ++c) {
     if (!use[c]) {
       continue;
     }
-    for (const ImagePoint& imagePoint : imagePoints.perCamera[c]) {
+    for (const ImagePoint& imagePoint : imagePoints.pointsPerCamera[c]) {
       table[imagePoint.instant][imagePoint.id].emplace_back(c, imagePoint.pixel);
     }
   }
@@ -51,7 +51,7 @@ BundleProblem pointProblem(const CameraRig& initialRig, const ImagePoints& image
       renamed[c] = problem.cameras.size();
       problem.cameras.push_back({.camera = initialRig[c],
                                  .isPrincipalPointFree = centersFree,
-                                 .posePrior = PosePrior{sigma.turn, sigma.position}});
+                                 .posePrior = PosePrior{sigma.rotation, sigma.position}});
     }
   }
   problem.bodies.push_back({.name = "point"});
@@ -91,7 +91,8 @@ Result<BundleResult> narrowed(BundleProblem& problem, std::size_t firstWidth) {
       }
       for (std::size_t s = 0; s < problem.states.size(); ++s) {
         problem.states[s] = now->states[s];
-        problem.states[s].isKnown = problem.states[s].isKnown && !problem.states[s].isFixed;
+        problem.states[s].isPositionKnown =
+            problem.states[s].isPositionKnown && !problem.states[s].isFixed;
       }
     }
   }
@@ -113,7 +114,7 @@ std::vector<double> squaresOf(const BundleResult& now) {
 bool plausible(const Camera& initial, const Camera& found, const InitialRigSigma& sigma) {
   const double turn =
       angleBetween(found.cameraFromWorld.linear(), initial.cameraFromWorld.linear());
-  return turn < kMostRigSigmas * sigma.turn &&
+  return turn < kMostRigSigmas * sigma.rotation &&
          (found.center() - initial.center()).norm() < kMostRigSigmas * sigma.position;
 }
 
@@ -121,13 +122,13 @@ bool plausible(const Camera& initial, const Camera& found, const InitialRigSigma
 
 ImagePoints imagePointsOf(const BundleProblem& problem) {
   ImagePoints all;
-  all.perCamera.resize(problem.cameras.size());
+  all.pointsPerCamera.resize(problem.cameras.size());
   for (const BundleState& state : problem.states) {
     all.times.push_back(state.time);
   }
   for (const BundleObservation& seen : problem.observations) {
-    all.perCamera[seen.camera].push_back({seen.state, seen.point, seen.pixel});
-    all.ids = std::max(all.ids, seen.point + 1);
+    all.pointsPerCamera[seen.camera].push_back({seen.state, seen.point, seen.pixel});
+    all.maxPointsPerState = std::max(all.maxPointsPerState, seen.point + 1);
   }
   return all;
 }
@@ -158,7 +159,7 @@ std::optional<PointFit> estimateStructureAndPoses(const CameraRig& initialRig,
       fit.squaredResiduals.assign(fit.squaredResiduals.size(), kUnseenPx2);
     }
   }
-  fit.points = problem.states.size();
+  fit.pointCount = problem.states.size();
   const auto rows = static_cast<double>(fit.squaredResiduals.size());
   const double degreesOfFreedom = rows - 3.0 * static_cast<double>(problem.states.size()) -
                                   6.0 * static_cast<double>(problem.cameras.size());
@@ -167,8 +168,8 @@ std::optional<PointFit> estimateStructureAndPoses(const CameraRig& initialRig,
   return fit;
 }
 
-PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints,
-                            const std::vector<bool>& use) {
+PointPositions triangulatedPositions(const CameraRig& rig, const ImagePoints& imagePoints,
+                                     const std::vector<bool>& use) {
   std::vector<Unprojector> unprojectors;
   for (const Camera& camera : rig) {
     unprojectors.emplace_back(camera);
@@ -196,7 +197,7 @@ std::optional<CameraResection> fitCamera(const Camera& initial,
   BundleProblem problem;
   problem.cameras.push_back({.camera = initial,
                              .isFocalFree = isFocalFree,
-                             .posePrior = PosePrior{sigma.turn, sigma.position}});
+                             .posePrior = PosePrior{sigma.rotation, sigma.position}});
   problem.bodies.push_back({.name = "point"});
   for (const PointCorrespondence& seen : correspondences) {
     problem.observations.push_back(

@@ -23,15 +23,15 @@ struct ImagePoint {
 /// image points.
 struct ImagePoints {
   std::vector<double> times; ///< time of each state, seconds
-  std::vector<std::vector<ImagePoint>> perCamera;
-  std::size_t ids = 1; ///< largest number of points per state
+  std::vector<std::vector<ImagePoint>> pointsPerCamera;
+  std::size_t maxPointsPerState = 1; ///< largest number of points per state
 };
 /// Returns the image points of a bundle problem.
 ImagePoints imagePointsOf(const BundleProblem& problem);
 
 /// Standard deviations of the poses in the initial rig.
 struct InitialRigSigma {
-  double turn = 0.06;     ///< standard deviation of the rotation about each camera axis, radians
+  double rotation = 0.06; ///< standard deviation of the rotation about each camera axis, radians
   double position = 0.12; ///< standard deviation of the position along each world axis, meters
 };
 
@@ -42,7 +42,7 @@ struct PointFit {
   /// pixels.
   double sigmaPx = 0.0;
   std::vector<double> squaredResiduals; ///< squared residuals per axis, pixels²
-  std::size_t points = 0;
+  std::size_t pointCount = 0;
 };
 
 /// Estimates the poses of the cameras selected by `use`, from up to 240 points that at least two of
@@ -59,14 +59,14 @@ std::optional<PointFit> estimateStructureAndPoses(const CameraRig& initialRig,
 /// ImagePoint::id.
 using PointPositions = std::vector<std::vector<std::optional<Eigen::Vector3d>>>;
 /// Triangulates the image points with the cameras selected by `use`.
-PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints,
-                            const std::vector<bool>& use);
+PointPositions triangulatedPositions(const CameraRig& rig, const ImagePoints& imagePoints,
+                                     const std::vector<bool>& use);
 
 /// Point with known position, and the pixel at which one camera sees it.
 struct PointCorrespondence {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
-  double time = 0.0;
+  double time = 0.0; ///< time of the state, seconds
 };
 
 /// Pose (and focal length) of one camera estimated from points with known positions (resection).

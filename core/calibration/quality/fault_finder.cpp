@@ -57,7 +57,8 @@ public:
     fitSwapped();
     report.sigmaPx = best_;
     auto named = ofOneCamera();
-    if (auto swap = ofTwoCameras(); swap && (!named || swap->gain > named->gain)) {
+    if (auto swap = ofTwoCameras();
+        swap && (!named || swap->logLikelihoodGain > named->logLikelihoodGain)) {
       named = swap;
     }
     if (!named && all_ && initialRig_.size() >= kLeastCamerasOfCommonFault) {
@@ -68,8 +69,8 @@ public:
     }
     if (all_ && all_->sigmaPx <= kAgreeingFactor * best_ &&
         (!named || named->fault == CalibrationFault::HalfPixel)) {
-      for (DetectedFault& fault :
-           findBodyFaults(input_, triangulated(all_->rig, imagePoints_, everyone_), all_->rig)) {
+      for (DetectedFault& fault : findBodyFaults(
+               input_, triangulatedPositions(all_->rig, imagePoints_, everyone_), all_->rig)) {
         report.faults.push_back(fault);
       }
     }
@@ -132,7 +133,7 @@ private:
     for (std::size_t i = 0; i < initialRig_.size(); ++i) {
       for (std::size_t j = i + 1; j < initialRig_.size(); ++j) {
         ImagePoints exchanged = imagePoints_;
-        std::swap(exchanged.perCamera[i], exchanged.perCamera[j]);
+        std::swap(exchanged.pointsPerCamera[i], exchanged.pointsPerCamera[j]);
         if (auto fit =
                 estimateStructureAndPoses(initialRig_, exchanged, everyone_, input_.initialSigma)) {
           swaps_.push_back({i, j, std::move(*fit)});
@@ -148,10 +149,11 @@ private:
       if (!others_[c] || others_[c]->sigmaPx > kAgreeingFactor * best_) {
         continue;
       }
-      const PointPositions positions = triangulated(others_[c]->rig, imagePoints_, without(c));
+      const PointPositions positions =
+          triangulatedPositions(others_[c]->rig, imagePoints_, without(c));
       const auto found =
           findCameraFault(input_, {c, &imagePoints_, &positions, others_[c]->sigmaPx});
-      if (found && (!best || found->gain > best->gain)) {
+      if (found && (!best || found->logLikelihoodGain > best->logLikelihoodGain)) {
         best = found;
       }
     }
@@ -168,7 +170,7 @@ private:
       const double gain =
           static_cast<double>(swap.fit.squaredResiduals.size()) *
           (meanCost(all_->squaredResiduals, best_) - meanCost(swap.fit.squaredResiduals, best_));
-      if (gain > kMinGain && (!best || gain > best->gain)) {
+      if (gain > kMinGain && (!best || gain > best->logLikelihoodGain)) {
         best = DetectedFault{CalibrationFault::CamerasSwapped, {swap.one, swap.other}, 0.0, gain};
       }
     }
@@ -192,13 +194,13 @@ FaultReport findFaults(const FaultSearchInput& input) {
 }
 
 Result<FaultReport> findWandFaults(const WandProblem& problem) {
-  return wandBundle(problem).map([&](const BundleProblem& bundle) {
+  return makeWandBundle(problem).map([&](const BundleProblem& bundle) {
     FaultSearchInput input;
     input.problem = bundle;
     input.initialSigma = {problem.initialRotationError, problem.initialPositionError};
-    input.isFocalUnknown = problem.estimateFocalLengths;
+    input.isFocalUnknown = problem.estimatesFocalLengths;
     input.isUnsynchronized =
-        problem.estimateTimeOffsets ||
+        problem.estimatesTimeOffsets ||
         std::any_of(bundle.observations.begin(), bundle.observations.end(),
                     [](const BundleObservation& seen) { return seen.timeAfterState != 0.0; });
     return findFaults(input);

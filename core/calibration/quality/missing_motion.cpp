@@ -58,7 +58,7 @@ public:
       return {};
     }
     box_ = principalBox(positions_, kOutlierShare);
-    view_ = commonView(rig_, positions_);
+    view_ = findCommonView(rig_, positions_);
     findDistances();
     addDuration();
     addShape();
@@ -101,30 +101,33 @@ private:
   void addDuration() {
     std::vector<double> times;
     for (const BundleState& state : result_.bundle.states) {
-      if (state.isKnown) {
+      if (state.isPositionKnown) {
         times.push_back(state.time);
       }
     }
     const auto [first, last] = std::ranges::minmax_element(times);
     const double seconds = times.empty() ? 0.0 : *last - *first;
-    add({.missing = MissingMotion::Duration, .value = seconds}, seconds, kLeastSeconds);
+    add({.missingMotion = MissingMotion::Duration, .motionAmount = seconds}, seconds,
+        kLeastSeconds);
   }
 
   /// A line, a plane, a small volume, or no depth: each of them explains the next ones.
   void addShape() {
     const Eigen::Vector3d extents = box_.extents();
     const auto across = [&](int axis) { return extents[axis] / std::max(distance_, 1e-9); };
-    if (add({.missing = MissingMotion::OffTheLine, .value = extents[1]}, across(1), kLeastAcross) ||
-        add({.missing = MissingMotion::OffThePlane,
+    if (add({.missingMotion = MissingMotion::OffTheLine, .motionAmount = extents[1]}, across(1),
+            kLeastAcross) ||
+        add({.missingMotion = MissingMotion::OffThePlane,
              .cameras = {cameraAcross(box_.axes.col(2))},
-             .value = extents[2]},
+             .motionAmount = extents[2]},
             across(2), kLeastAcross)) {
       return;
     }
     if (!view_.positions.empty()) {
       const Eigen::Vector3d all = principalBox(view_.positions, kOutlierShare).extents();
       const double share = extents.prod() / std::max(all.prod(), 1e-12);
-      if (add({.missing = MissingMotion::WholeVolume, .value = share}, share, kLeastVolume)) {
+      if (add({.missingMotion = MissingMotion::WholeVolume, .motionAmount = share}, share,
+              kLeastVolume)) {
         return;
       }
     }
@@ -132,7 +135,7 @@ private:
       auto all = depths(c);
       const auto [low, high] = rangeOf(all);
       const double range = high - low;
-      add({.missing = MissingMotion::InDepth, .cameras = {c}, .value = range},
+      add({.missingMotion = MissingMotion::InDepth, .cameras = {c}, .motionAmount = range},
           range / std::max(upperMedian(std::move(all)), 1e-9), kLeastDepth);
     }
   }
@@ -188,9 +191,9 @@ private:
       return; // the calibration of this camera has failed already
     }
     const Eigen::Vector2d toward = usableMiddle / usable - coveredMiddle / covered;
-    add({.missing = MissingMotion::WholeImage,
+    add({.missingMotion = MissingMotion::WholeImage,
          .cameras = {camera},
-         .value = covered / static_cast<double>(visible.cornerCounts.size()),
+         .motionAmount = covered / static_cast<double>(visible.cornerCounts.size()),
          .side = sideOf(toward)},
         covered / usable, kLeastImage);
   }
@@ -211,7 +214,8 @@ private:
     const Projector projector(rig_[camera]);
     const Intrinsics& image = rig_[camera].intrinsics;
     for (std::size_t i = 0; i < view_.positions.size(); ++i) {
-      if (std::ranges::find(view_.cameras[i], camera) == view_.cameras[i].end()) {
+      if (std::ranges::find(view_.camerasPerPosition[i], camera) ==
+          view_.camerasPerPosition[i].end()) {
         continue;
       }
       if (const auto pixel = projector.project(view_.positions[i])) {
@@ -245,8 +249,9 @@ private:
             std::min(count / kLeastInstants, count / std::max(kLeastTogether * either, 1e-9));
         if (!worst || share < worstShare) {
           worstShare = share;
-          worst =
-              MotionGap{.missing = MissingMotion::SeenTogether, .cameras = {a, b}, .value = count};
+          worst = MotionGap{.missingMotion = MissingMotion::SeenTogether,
+                            .cameras = {a, b},
+                            .motionAmount = count};
         }
       }
     }
@@ -259,7 +264,7 @@ private:
   bool shareView(std::size_t a, std::size_t b) const {
     double both = 0.0;
     std::array<double, 2> each{};
-    for (const auto& seeing : view_.cameras) {
+    for (const auto& seeing : view_.camerasPerPosition) {
       const bool byA = std::ranges::find(seeing, a) != seeing.end();
       const bool byB = std::ranges::find(seeing, b) != seeing.end();
       each[0] += byA ? 1.0 : 0.0;
@@ -304,31 +309,32 @@ std::string motionGapText(const MotionGap& gap, const CameraRig& rig) {
     return k < gap.cameras.size() && gap.cameras[k] < rig.size() ? rig[gap.cameras[k]].name
                                                                  : std::string("a camera");
   };
-  switch (gap.missing) {
+  switch (gap.missingMotion) {
   case MissingMotion::Duration:
-    return fmt::format("The ball was seen for only {:.0f} s. Wave for half a minute.", gap.value);
+    return fmt::format("The ball was seen for only {:.0f} s. Wave for half a minute.",
+                       gap.motionAmount);
   case MissingMotion::OffTheLine:
     return "The ball moved only along one line. Move it in all directions: to the sides, up and "
            "down, near and far.";
   case MissingMotion::OffThePlane:
     return fmt::format("The ball moved only within a plane ({:.0f} cm thick). Also move it across "
                        "this plane: toward {} and away from it.",
-                       inCentimeters(gap.value), name(0));
+                       inCentimeters(gap.motionAmount), name(0));
   case MissingMotion::InDepth:
     return fmt::format("The distance from {0} to the ball hardly changed (by only {1:.0f} cm). "
                        "Also move the ball toward {0} and away from it.",
-                       name(0), inCentimeters(gap.value));
+                       name(0), inCentimeters(gap.motionAmount));
   case MissingMotion::WholeVolume:
     return fmt::format("The ball stayed in {:.1f} % of the volume that the cameras see together. "
                        "Move it through the whole volume in which you will track.",
-                       inPercent(gap.value));
+                       inPercent(gap.motionAmount));
   case MissingMotion::WholeImage:
     return fmt::format("{} saw the ball in only {:.0f} % of its image. Also move it to {}.",
-                       name(0), inPercent(gap.value), sideText(gap.side));
+                       name(0), inPercent(gap.motionAmount), sideText(gap.side));
   default:
     return fmt::format("{} and {} saw the ball at the same time in only {:.0f} frame{}. Move it "
                        "where both see it.",
-                       name(0), name(1), gap.value, gap.value == 1.0 ? "" : "s");
+                       name(0), name(1), gap.motionAmount, gap.motionAmount == 1.0 ? "" : "s");
   }
 }
 

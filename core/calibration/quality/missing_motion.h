@@ -25,7 +25,7 @@ enum class ImageSide { Edges, Left, Right, Top, Bottom };
 
 /// Kind of motion that a recording lacks.
 struct MotionGap {
-  MissingMotion missing = MissingMotion::Duration;
+  MissingMotion missingMotion = MissingMotion::Duration;
   /// Indices in the rig. InDepth and WholeImage: the camera. OffThePlane: the camera whose optical
   /// axis is closest to the normal of the plane. SeenTogether: the two cameras. Otherwise empty.
   std::vector<std::size_t> cameras = {};
@@ -33,7 +33,7 @@ struct MotionGap {
   /// the ball, seconds. OffTheLine and OffThePlane: extent of the ball's positions across the line
   /// or the plane, meters. InDepth: range of the distances, meters. WholeVolume and WholeImage:
   /// fraction of the volume or of the image, 0 to 1. SeenTogether: number of frames.
-  double value = 0.0;
+  double motionAmount = 0.0;
   ImageSide side = ImageSide::Edges; ///< WholeImage: side at which the ball was not seen
   /// Fraction of the required minimum motion that is missing, 0 to 1; 1 if there was no such
   /// motion.
@@ -45,7 +45,7 @@ struct MotionGap {
 /// cameras or fewer than four positions of the ball.
 ///
 /// The extents of the ball's positions along their principal axes are compared with the distance to
-/// the cameras, and with the volume that the cameras see together (commonView()). Each camera's
+/// the cameras, and with the volume that the cameras see together (findCommonView()). Each camera's
 /// image is divided into 6 x 4 regions. The regions in which the ball was seen are compared with
 /// the regions that show the common volume. For two cameras that share much of their views, two
 /// numbers of frames are compared: those in which both cameras saw the ball, and those in which the

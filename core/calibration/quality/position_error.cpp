@@ -118,7 +118,7 @@ void addPosition(const std::vector<VariedCamera>& cameras, const Eigen::Vector3d
     return;
   }
   errors.positions.push_back(position);
-  errors.noise.emplace_back(solver.inverse());
+  errors.noiseCovariances.emplace_back(solver.inverse());
   rows.emplace_back(solver.solve(pull));
 }
 
@@ -146,7 +146,7 @@ std::vector<Eigen::Vector3d> observedPositions(const BundleProblem& problem,
                                                const BundleResult& result) {
   std::vector<Eigen::Vector3d> positions;
   for (const BundleState& state : result.states) {
-    if (!state.isKnown) {
+    if (!state.isPositionKnown) {
       continue;
     }
     const BundleBody& body = problem.bodies[state.body];
@@ -178,9 +178,9 @@ PositionErrors propagateErrorsTo(const std::vector<Eigen::Vector3d>& positions,
   for (const Eigen::Vector3d& position : positions) {
     addPosition(cameras, position, errors, rows, columns);
   }
-  errors.fromCameras.resize(static_cast<Eigen::Index>(3 * rows.size()), columns);
+  errors.cameraJacobian.resize(static_cast<Eigen::Index>(3 * rows.size()), columns);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    errors.fromCameras.middleRows<3>(static_cast<Eigen::Index>(3 * i)) = rows[i];
+    errors.cameraJacobian.middleRows<3>(static_cast<Eigen::Index>(3 * i)) = rows[i];
   }
   return errors;
 }

@@ -14,10 +14,10 @@ struct PositionErrors {
   std::vector<Eigen::Vector3d> positions; ///< triangulated positions, meters
   /// Derivatives of the positions (3 rows for each) with respect to the camera parameters (columns
   /// as in the covariance of the result).
-  Eigen::MatrixXd fromCameras;
+  Eigen::MatrixXd cameraJacobian;
   /// Covariance of each position due to image noise, if the position is triangulated from one image
   /// per camera and an image position has a standard deviation of 1 pixel; m².
-  std::vector<Eigen::Matrix3d> noise;
+  std::vector<Eigen::Matrix3d> noiseCovariances;
 };
 
 /// Returns all positions of the target in the result, in the world, meters. A stick counts with

@@ -29,7 +29,7 @@ void addParameters(std::string& html, const BoardReport::CameraPart& camera) {
 std::vector<ImageResidual> residualsOf(const BoardReport::CameraPart& camera) {
   std::vector<ImageResidual> all;
   for (const ViewFit& view : camera.views) {
-    for (std::size_t k = 0; view.used && k < view.residuals.size(); ++k) {
+    for (std::size_t k = 0; view.isUsed && k < view.residuals.size(); ++k) {
       all.push_back({view.pixels[k], view.residuals[k]});
     }
   }
@@ -65,8 +65,8 @@ void addCamera(std::string& html, const BoardReport::CameraPart& camera) {
   std::size_t used = 0;
   std::size_t corners = 0;
   for (const ViewFit& view : camera.views) {
-    used += view.used ? 1 : 0;
-    corners += view.used ? view.ids.size() : 0;
+    used += view.isUsed ? 1 : 0;
+    corners += view.isUsed ? view.ids.size() : 0;
   }
   if (used == 0) {
     html += fmt::format("<h2>{}</h2>\n<p>It {} and keeps its calibration.</p>\n",
@@ -104,8 +104,8 @@ void addCamera(std::string& html, const BoardReport::CameraPart& camera) {
 void addReport(std::string& html, const BoardReport& report) {
   html += fmt::format("<h1>{}</h1>\n<p>Board: <code>{}</code></p>\n", htmlEscaped(report.title),
                       htmlEscaped(boardText(report.board)));
-  if (!report.accuracy.empty()) {
-    html += fmt::format("<p><b>{}</b></p>\n", htmlEscaped(report.accuracy));
+  if (!report.accuracyText.empty()) {
+    html += fmt::format("<p><b>{}</b></p>\n", htmlEscaped(report.accuracyText));
   }
   for (const std::string& notice : report.notices) {
     html += fmt::format("<p class=\"notice\">{}.</p>\n", htmlEscaped(notice));
@@ -144,7 +144,7 @@ BoardReport reportOf(const BoardDescription& board, const ExtrinsicsResult& resu
   report.boardPoses = result.boardPoses;
   report.notices = result.notices;
   for (std::size_t k = 0; k < result.cameras.size(); ++k) {
-    const CameraFit& fit = result.fits[k];
+    const CameraFit& fit = result.cameraFits[k];
     BoardReport::CameraPart part;
     part.name = result.cameras[k].name;
     part.camera = result.cameras[k];

@@ -34,7 +34,7 @@ struct BoardReport {
   /// Board poses for the 3D plot; there is no plot without poses.
   std::vector<BoardPose> boardPoses;
   std::vector<std::string> notices;
-  std::string accuracy; ///< one sentence about the accuracy of the calibration; may be empty
+  std::string accuracyText; ///< one sentence about the accuracy of the calibration; may be empty
 };
 
 /// Returns the report section about one camera's intrinsics.

@@ -129,7 +129,7 @@ std::string coverageDrawing(const Intrinsics& image, const BoardCoverage& covera
 std::string viewErrorDrawing(const std::vector<ViewFit>& views) {
   double most = 1e-6;
   for (const ViewFit& view : views) {
-    most = std::max(most, view.used ? view.rmsPx : 0.0);
+    most = std::max(most, view.isUsed ? view.rmsPx : 0.0);
   }
   const double height = (kBarHeight + 2.0) * static_cast<double>(views.size());
   std::string svg = opened(kDrawingWidth, height, "error of each image");
@@ -137,16 +137,16 @@ std::string viewErrorDrawing(const std::vector<ViewFit>& views) {
   double y = 0.0;
   for (const ViewFit& view : views) {
     const double width = 0.4 * kDrawingWidth * std::min(1.0, view.rmsPx / most);
-    const char* kind = !view.used ? "left" : view.doubtful ? "doubtful" : "bar";
+    const char* kind = !view.isUsed ? "left" : view.isDoubtful ? "doubtful" : "bar";
     const std::string words =
-        !view.used ? "left out: " + view.reason : fmt::format("{:.3f} px", view.rmsPx);
+        !view.isUsed ? "left out: " + view.reason : fmt::format("{:.3f} px", view.rmsPx);
     fmt::format_to(out,
                    "<text x=\"0\" y=\"{0:.1f}\">{1}</text><rect class=\"{2}\" x=\"{3:.1f}\" "
                    "y=\"{4:.1f}\" width=\"{5:.1f}\" height=\"{6}\"/><text x=\"{7:.1f}\" "
                    "y=\"{0:.1f}\">{8}</text>\n",
                    y + kBarHeight - 2.0, htmlEscaped(view.name), kind, 0.3 * kDrawingWidth, y,
-                   view.used ? width : 0.0, kBarHeight,
-                   0.3 * kDrawingWidth + (view.used ? width : 0.0) + 4.0, htmlEscaped(words));
+                   view.isUsed ? width : 0.0, kBarHeight,
+                   0.3 * kDrawingWidth + (view.isUsed ? width : 0.0) + 4.0, htmlEscaped(words));
     y += kBarHeight + 2.0;
   }
   return svg + "</svg>\n";

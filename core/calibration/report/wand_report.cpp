@@ -38,7 +38,7 @@ std::vector<SpaceLine> wandPath(const WandResult& result) {
   double last = -1e9;
   for (std::size_t k = 0; k < states.size(); ++k) {
     const BundleState& state = states[k];
-    if (!state.isKnown || state.body >= bodies.size()) {
+    if (!state.isPositionKnown || state.body >= bodies.size()) {
       continue;
     }
     if (bodies[state.body].kind == BundleBody::Kind::Stick) {
@@ -47,7 +47,7 @@ std::vector<SpaceLine> wandPath(const WandResult& result) {
       }
       continue;
     }
-    if (lines.empty() || state.time - last > result.problem.longestGap) {
+    if (lines.empty() || state.time - last > result.problem.maxStateGapSeconds) {
       lines.push_back({"board", {}});
     }
     lines.back().points.push_back(state.ends[0]);
@@ -64,15 +64,15 @@ void addStatistics(std::string& html, const WandReport& report) {
   auto out = std::back_inserter(html);
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     const Camera& camera = result.cameras[c];
-    const PoseShift shift = poseShift(report.before.at(c), camera);
+    const PoseShift shift = poseShift(report.initialRig.at(c), camera);
     const auto pixelsOf = [&](double pixels) {
-      return result.views[c] > 0 ? fmt::format("{:.3f}", pixels) : "none";
+      return result.usedViewCounts[c] > 0 ? fmt::format("{:.3f}", pixels) : "none";
     };
     fmt::format_to(out,
                    "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
                    "<td>{:.2f}</td><td>{:.2f}°</td>",
-                   htmlEscaped(camera.name), result.views[c], result.dropped[c],
-                   pixelsOf(result.bundle.cameraRms.at(c)),
+                   htmlEscaped(camera.name), result.usedViewCounts[c], result.droppedViewCounts[c],
+                   pixelsOf(result.bundle.cameraRmsPx.at(c)),
                    pixelsOf(result.cameraMedianResidualPx[c]), inCentimeters(shift.meters),
                    inDegrees(shift.radians));
     if (report.hasTimeOffsets) {
@@ -105,7 +105,7 @@ std::string htmlText(const WandReport& report) {
       fmt::format("Poses of {} cameras, calibrated with a wand", result.cameras.size());
   std::string html = htmlHead(title);
   html += fmt::format("<h1>{}</h1>\n<p><strong>{}</strong></p>\n", htmlEscaped(title),
-                      htmlEscaped(report.accuracy));
+                      htmlEscaped(report.accuracyText));
   for (const DetectedFault& fault : result.faults) {
     html += fmt::format("<p class=\"notice\">{}</p>\n", htmlEscaped(fault.sentence));
   }

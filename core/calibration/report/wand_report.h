@@ -11,9 +11,9 @@ namespace dewpoint::calibration {
 
 /// Content of the report page for a calibration by wand.
 struct WandReport {
-  CameraRig before;                      ///< initial rig
+  CameraRig initialRig;                  ///< initial rig
   WandResult result;                     ///< result of the calibration, including its faults
-  std::string accuracy;                  ///< text about the accuracy
+  std::string accuracyText;              ///< text about the accuracy
   std::vector<BoardCoverage> coverage;   ///< image regions in which the ball was seen, per camera
   bool hasTimeOffsets = false;           ///< true if time offsets were estimated
   std::vector<std::string> notices = {}; ///< sentences about missing motion

@@ -83,7 +83,7 @@ Status checkViews(const WandProblem& problem) {
   return {};
 }
 
-Result<BundleProblem> wandBundle(const WandProblem& problem) {
+Result<BundleProblem> makeWandBundle(const WandProblem& problem) {
   if (auto usable = checkViews(problem); !usable) {
     return tl::make_unexpected(usable.error());
   }
@@ -96,7 +96,7 @@ Result<BundleProblem> wandBundle(const WandProblem& problem) {
                            .kind = stick ? BundleBody::Kind::Stick : BundleBody::Kind::Point,
                            .length = problem.stickLength});
   const double period = usualPeriod(problem);
-  bundle.longestGap = 2.5 * period;
+  bundle.maxStateGapSeconds = 2.5 * period;
   const double reach = problem.initialRig.size() > 1 ? 0.5 * period : 0.0;
   std::vector<bool> taken; // by (camera, ball), within the present state
   for (const auto& [camera, view] : viewsInTime(problem)) {
@@ -158,7 +158,7 @@ void updateOutlineShifts(const std::array<double, 2>& ballRadii, const BundleRes
   for (BundleObservation& seen : problem.observations) {
     const BundleState& state = now.states[seen.state];
     const double radius = ballRadii[seen.point];
-    if (!state.isKnown || !(radius > 0.0)) {
+    if (!state.isPositionKnown || !(radius > 0.0)) {
       continue;
     }
     const double ratio = radius / projectors[seen.camera].depth(state.ends[seen.point]);

@@ -11,7 +11,7 @@ Status checkViews(const WandProblem& problem);
 
 /// Creates a bundle problem from the views and the initial cameras. Views whose times differ by at
 /// most half the usual interval between views become observations of one state.
-Result<BundleProblem> wandBundle(const WandProblem& problem);
+Result<BundleProblem> makeWandBundle(const WandProblem& problem);
 
 /// Reduces a problem to at most `most` states and their observations. The states that are kept are
 /// evenly spread in time. With `inRuns`, groups of 30 neighboring states are kept or removed as a

@@ -45,13 +45,13 @@ class WandSolver {
 public:
   WandSolver(WandProblem problem, const WandCallback& callback)
       : given_(std::move(problem)), callback_(callback) {
-    steps_ = given_.starts * int(kStartWidths.size()) + kMostWandRounds;
+    steps_ = given_.startCount * int(kStartWidths.size()) + kMostWandRounds;
   }
 
   Result<WandResult> run() {
     const auto begin = std::chrono::steady_clock::now();
     auto done = inTime()
-                    .and_then([&] { return wandBundle(given_); })
+                    .and_then([&] { return makeWandBundle(given_); })
                     .and_then([&](BundleProblem bundle) { return bestStart(std::move(bundle)); })
                     .and_then([&](BundleProblem bundle) { return narrow(std::move(bundle)); })
                     .and_then([&] { return intoWorld(); });
@@ -59,7 +59,7 @@ public:
       return tl::make_unexpected(done.error());
     }
     summarize();
-    result_.seconds =
+    result_.computationSeconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return std::move(result_);
   }
@@ -67,7 +67,7 @@ public:
 private:
   /// From far off the adjustment would not find the offsets: first roughly.
   Status inTime() {
-    if (given_.estimateTimeOffsets) {
+    if (given_.estimatesTimeOffsets) {
       if (auto usable = checkViews(given_); !usable) {
         return usable;
       }
@@ -80,7 +80,7 @@ private:
   /// One adjustment, its progress passed on.
   Result<BundleResult> adjust(const BundleProblem& bundle) {
     const auto outcome = adjustBundle(bundle, [&](const BundleProgress& now) {
-      return !callback_ || callback_({step_, steps_, now.rms});
+      return !callback_ || callback_({step_, steps_, now.rmsPx});
     });
     ++step_;
     return outcome;
@@ -154,7 +154,7 @@ private:
     std::optional<BundleResult> best;
     double bestMedian = 0.0;
     Error why;
-    for (int start = 0; start < given_.starts; ++start) {
+    for (int start = 0; start < given_.startCount; ++start) {
       auto now = solveStart(part, start);
       if (!now && now.error().code == ErrorCode::Canceled) {
         return tl::make_unexpected(now.error());
@@ -166,7 +166,7 @@ private:
         continue;
       }
       // Few views used is no good fit either: what cannot be triangulated has no residual.
-      const double median = report.medianPx * double(part.observations.size()) /
+      const double median = report.medianResidualPx * double(part.observations.size()) /
                             double(std::max<std::size_t>(now->usedObservationCount, 1));
       const bool agrees = best && std::abs(median - bestMedian) < kGoodStart * bestMedian;
       if (!best || median < bestMedian) {
@@ -189,14 +189,14 @@ private:
   void freeRequested(BundleProblem& bundle) const {
     for (std::size_t c = 0; c < bundle.cameras.size(); ++c) {
       BundleCamera& camera = bundle.cameras[c];
-      camera.isTimeOffsetFree = given_.estimateTimeOffsets && c > 0;
-      camera.isFocalFree = given_.estimateFocalLengths;
-      camera.isDistortionFree[0] = given_.estimateDistortion;
+      camera.isTimeOffsetFree = given_.estimatesTimeOffsets && c > 0;
+      camera.isFocalFree = given_.estimatesFocalLengths;
+      camera.isDistortionFree[0] = given_.estimatesDistortion;
     }
   }
 
   bool followsInTime(const BundleProblem& bundle) const {
-    return given_.estimateTimeOffsets ||
+    return given_.estimatesTimeOffsets ||
            std::any_of(bundle.observations.begin(), bundle.observations.end(),
                        [](const BundleObservation& seen) { return seen.timeAfterState != 0.0; });
   }
@@ -207,7 +207,7 @@ private:
     bundle = subsampledBundle(bundle, given_.maxInstants / (inTime ? 2 : 1), inTime);
     freeRequested(bundle);
     setStick(bundle, kTightStick);
-    result_.dropped.assign(bundle.cameras.size(), 0);
+    result_.droppedViewCounts.assign(bundle.cameras.size(), 0);
     bundle.loss = RobustLoss::SoftL1;
     bundle.lossWidth = 3.0;
     bundle.isDraft = true;
@@ -224,7 +224,8 @@ private:
       if (!bundle.isDraft) {
         break;
       }
-      const bool clean = dropWorstObservations(result_.bundle, limit, bundle, result_.dropped) == 0;
+      const bool clean =
+          dropWorstObservations(result_.bundle, limit, bundle, result_.droppedViewCounts) == 0;
       for (std::size_t c = 0; c < bundle.cameras.size(); ++c) {
         bundle.cameras[c].camera = result_.bundle.cameras[c];
         bundle.cameras[c].timeOffset = result_.bundle.timeOffsets[c];
@@ -237,7 +238,7 @@ private:
 
   /// Size, then the initial rig's world or what floor and fall say.
   Status intoWorld() {
-    const bool sized = given_.scale == WandScale::InitialRig && given_.stickLength <= 0.0;
+    const bool sized = given_.scaleMethod == WandScale::InitialRig && given_.stickLength <= 0.0;
     const Similarity back = fitRigSimilarity(result_.bundle.cameras, given_.initialRig, sized);
     moveWorld(back, result_.bundle);
     const auto scale = estimateScale(given_, result_.problem, result_.bundle);
@@ -245,15 +246,15 @@ private:
       return tl::make_unexpected(scale.error());
     }
     Similarity larger;
-    larger.scale = scale->factor;
+    larger.scale = scale->scaleFactor;
     moveWorld(larger, result_.bundle);
     if (!sized) { // the size is right now: place it where the initial rig was
       moveWorld(fitRigSimilarity(result_.bundle.cameras, given_.initialRig, false), result_.bundle);
     }
-    result_.scale = given_.stickLength > 0.0 ? WandScale::Stick : given_.scale;
+    result_.scaleMethod = given_.stickLength > 0.0 ? WandScale::Stick : given_.scaleMethod;
     result_.scaleFactor =
         1.0 / fitRigSimilarity(result_.bundle.cameras, given_.initialRig, true).scale;
-    result_.scaleSigma = scale->sigma;
+    result_.scaleSigma = scale->relativeSigma;
     return changeToUprightWorld(given_, result_.bundle, result_)
         .map([&](const Similarity& upright) {
           moveWorld(upright, result_.bundle);
@@ -270,11 +271,11 @@ private:
     for (std::size_t c = 0; c < clocks_.size(); ++c) {
       result_.timeOffsets[c] += clocks_[c];
     }
-    result_.medianPx = medianResidual(result_.problem, result_.bundle);
-    result_.views.assign(result_.cameras.size(), 0);
+    result_.medianResidualPx = medianResidual(result_.problem, result_.bundle);
+    result_.usedViewCounts.assign(result_.cameras.size(), 0);
     for (std::size_t i = 0; i < result_.problem.observations.size(); ++i) {
       if (std::isfinite(result_.bundle.residuals[i].norm())) {
-        ++result_.views[result_.problem.observations[i].camera];
+        ++result_.usedViewCounts[result_.problem.observations[i].camera];
       }
     }
     for (std::size_t c = 0; c < result_.cameras.size(); ++c) {

@@ -53,20 +53,21 @@ struct WandProblem {
   std::array<double, 2> ballRadii = {0.0, 0.0};
   /// Distance between the centers of balls 0 and 1, meters; 0: only one ball.
   double stickLength = 0.0;
-  WandScale scale = WandScale::InitialRig;
+  WandScale scaleMethod = WandScale::InitialRig;
   /// Known distance between two positions that ball 0 touched; used for WandScale::Distance.
   TouchedDistance distance;
   std::vector<double> floorTimes; ///< times when ball 0 lay on the floor or touched it, seconds
-  std::optional<std::array<double, 2>> fallSpan; ///< time span in which ball 0 fell freely, seconds
-  bool estimateTimeOffsets = false;  ///< estimate time offsets of the cameras relative to the first
-  bool estimateFocalLengths = false; ///< estimate focal lengths, keeping their ratio
-  bool estimateDistortion = false;   ///< estimate k1 for every camera
+  std::optional<std::array<double, 2>>
+      freeFallSpan;                  ///< time span in which ball 0 fell freely, seconds
+  bool estimatesTimeOffsets = false; ///< estimate time offsets of the cameras relative to the first
+  bool estimatesFocalLengths = false; ///< estimate focal lengths, keeping their ratio
+  bool estimatesDistortion = false;   ///< estimate k1 for every camera
   /// Expected error of the initial rig's orientations, radians.
   double initialRotationError = kInitialRotationError;
   /// Expected error of the initial rig's positions, meters.
   double initialPositionError = kInitialPositionError;
   /// Number of rigs from which the solution starts: the initial rig and perturbed copies of it.
-  int starts = 6;
+  int startCount = 6;
   std::uint64_t seed = 1; ///< random seed for the perturbations
   /// Maximum number of wand positions used, spread evenly over the recording.
   int maxInstants = 900;
@@ -74,16 +75,16 @@ struct WandProblem {
 
 /// Quality of the solution obtained from one start (the initial rig or a perturbed copy of it).
 struct WandStart {
-  bool solved = false;
-  double medianPx = 0.0; ///< median length of the residuals, pixels
+  bool isSolved = false;
+  double medianResidualPx = 0.0; ///< median length of the residuals, pixels
 };
 
 /// Measurements made during a free fall.
 struct FreeFall {
   /// Measured acceleration, meters per second squared; 9.81 if the scale is correct.
   double gravity = 0.0;
-  double sigma = 0.0;       ///< standard deviation of `gravity`
-  std::size_t instants = 0; ///< number of ball positions used
+  double gravitySigma = 0.0;         ///< standard deviation of `gravity`
+  std::size_t usedPositionCount = 0; ///< number of ball positions used
 };
 
 /// Output of calibrateFromWand(): the calibrated cameras, and how well the views of the wand fit.
@@ -93,29 +94,30 @@ struct WandResult {
   std::vector<double> timeOffsets;
   /// Median length of the residuals that were kept, pixels, per camera.
   std::vector<double> cameraMedianResidualPx;
-  double medianPx = 0.0;
-  std::vector<std::size_t> views;   ///< number of views used, per camera
-  std::vector<std::size_t> dropped; ///< number of views dropped as outliers, per camera
+  double medianResidualPx = 0.0;
+  std::vector<std::size_t> usedViewCounts;    ///< number of views used, per camera
+  std::vector<std::size_t> droppedViewCounts; ///< number of views dropped as outliers, per camera
   std::vector<WandStart> starts;
-  WandScale scale = WandScale::InitialRig;
+  WandScale scaleMethod = WandScale::InitialRig;
   double scaleFactor = 1.0; ///< factor by which the size of the initial rig was corrected
   double scaleSigma = 0.0;  ///< relative standard deviation of the scale; 0: unknown
-  bool floorFound = false;
-  double floorRms = 0.0; ///< RMS distance of the touched positions from the floor plane, meters
+  bool isFloorFound = false;
+  double floorRmsDistance =
+      0.0; ///< RMS distance of the touched positions from the floor plane, meters
   std::optional<FreeFall> freeFall;
   /// Angle between the upward directions of the initial rig and of the result, radians.
   double upCorrectionAngle = 0.0;
   BundleProblem problem; ///< bundle adjustment problem solved last, in the result's world frame
   BundleResult bundle;   ///< solution of `problem`, with the covariance
-  double seconds = 0.0;  ///< computation time, seconds
+  double computationSeconds = 0.0;        ///< computation time, seconds
   std::vector<DetectedFault> faults = {}; ///< mistakes found in the views, such as swapped cameras
 };
 
 /// Progress of a calibration by wand.
 struct WandProgress {
   int step = 0;
-  int steps = 0;
-  double rms = 0.0; ///< RMS of the residuals, pixels
+  int stepCount = 0;
+  double rmsPx = 0.0; ///< RMS of the residuals, pixels
 };
 /// Callback for the progress of a calibration by wand. It returns false to stop the computation.
 using WandCallback = std::function<bool(const WandProgress&)>;

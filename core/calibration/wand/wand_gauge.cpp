@@ -92,7 +92,7 @@ Result<FreeFall> fall(const std::array<double, 2>& when, const BundleResult& now
                       Eigen::Vector3d& acceleration) {
   std::vector<const BundleState*> seen;
   for (const BundleState& state : now.states) {
-    if (state.isKnown && state.time >= when[0] && state.time <= when[1]) {
+    if (state.isPositionKnown && state.time >= when[0] && state.time <= when[1]) {
       seen.push_back(&state);
     }
   }
@@ -147,8 +147,8 @@ Result<Similarity> onFloor(const WandProblem& problem, const BundleResult& now,
       above += (camera.center() - middle).dot(up);
     }
     up *= above < 0.0 ? -1.0 : 1.0;
-    result.floorFound = true;
-    result.floorRms = std::sqrt(std::max(eigen.values[0], 0.0));
+    result.isFloorFound = true;
+    result.floorRmsDistance = std::sqrt(std::max(eigen.values[0], 0.0));
   }
   Similarity change = toUpright(up);
   // The floor is one radius below the middles of the balls that lie on it.
@@ -220,7 +220,7 @@ std::optional<Eigen::Vector3d> ballPositionAt(const BundleResult& now, double ti
                                               std::size_t ball) {
   std::vector<Eigen::Vector3d> positions;
   for (const BundleState& state : now.states) {
-    if (state.isKnown && std::abs(state.time - time) <= kTouchSeconds) {
+    if (state.isPositionKnown && std::abs(state.time - time) <= kTouchSeconds) {
       positions.push_back(state.ends[ball]);
     }
   }
@@ -229,7 +229,7 @@ std::optional<Eigen::Vector3d> ballPositionAt(const BundleResult& now, double ti
 
 Result<ScaleEstimate> estimateScale(const WandProblem& problem, const BundleProblem& bundle,
                                     const BundleResult& now) {
-  switch (problem.scale) {
+  switch (problem.scaleMethod) {
   case WandScale::Distance:
     return scaleOfDistance(problem, now);
   case WandScale::Diameter:
@@ -244,9 +244,9 @@ Result<ScaleEstimate> estimateScale(const WandProblem& problem, const BundleProb
 Result<Similarity> changeToUprightWorld(const WandProblem& problem, const BundleResult& now,
                                         WandResult& result) {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-  if (problem.fallSpan) {
+  if (problem.freeFallSpan) {
     Eigen::Vector3d acceleration;
-    const auto fell = fall(*problem.fallSpan, now, acceleration);
+    const auto fell = fall(*problem.freeFallSpan, now, acceleration);
     if (!fell) {
       return tl::make_unexpected(fell.error());
     }

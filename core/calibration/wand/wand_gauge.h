@@ -24,10 +24,10 @@ std::optional<Eigen::Vector3d> ballPositionAt(const BundleResult& now, double ti
 /// WandScale::Stick, because the adjustment already uses the length of the stick. It is also 1 for
 /// WandScale::InitialRig.
 struct ScaleEstimate {
-  double factor = 1.0;
-  double sigma = 0.0;
+  double scaleFactor = 1.0;
+  double relativeSigma = 0.0;
 };
-/// Determines the scale factor of a solution in the way given by WandProblem::scale.
+/// Determines the scale factor of a solution in the way given by WandProblem::scaleMethod.
 Result<ScaleEstimate> estimateScale(const WandProblem& problem, const BundleProblem& bundle,
                                     const BundleResult& now);
 

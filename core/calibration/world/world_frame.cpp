@@ -122,7 +122,7 @@ Similarity quarterTurns(WorldAxis axis, int turns) {
   return rotationOfWorld(rotation);
 }
 
-Similarity movedBy(const Eigen::Vector3d& shift, double turn) {
+Similarity rigidMotion(const Eigen::Vector3d& shift, double turn) {
   return {1.0, turnAboutVertical(turn), shift};
 }
 

@@ -19,7 +19,7 @@ namespace dewpoint::calibration {
 /// floor lie in one plane.
 struct FloorChange {
   Similarity change;
-  double rms = 0.0; ///< root mean square distance of the points to the plane, meters
+  double rmsDistance = 0.0; ///< root mean square distance of the points to the plane, meters
 };
 
 /// Returns the change of the world frame after which the plane fitted to `points` (least squares)
@@ -59,7 +59,7 @@ Similarity quarterTurns(WorldAxis axis, int turns);
 
 /// Returns the rigid motion that moves the cameras by `shift` (meters), after rotating them about
 /// the vertical through the origin by `turn` radians, counterclockwise as seen from above.
-Similarity movedBy(const Eigen::Vector3d& shift, double turn);
+Similarity rigidMotion(const Eigen::Vector3d& shift, double turn);
 
 /// Returns the rotation, by one or two quarter turns, after which the images are upright, or
 /// nothing if they are upright now or if the cameras do not show which way is up. Calibrations of

@@ -68,11 +68,11 @@ AgreementModel::AgreementModel(const CameraRig& rig,
   for (const auto& color : histories_) {
     for (const SightingHistory& history : color) {
       for (std::size_t i = 1; i < history.images().size(); ++i) {
-        gaps.push_back(history.images()[i].time - history.images()[i - 1].time);
+        gaps.push_back(history.images()[i].captureTime - history.images()[i - 1].captureTime);
       }
     }
   }
-  interval_ = base::upperMedian(std::move(gaps));
+  imageInterval_ = base::upperMedian(std::move(gaps));
   for (std::size_t color = 0; color < histories_.size(); ++color) {
     auto& views = views_.emplace_back();
     for (std::size_t k = 0; k < cameras_.size(); ++k) {
@@ -93,14 +93,14 @@ AgreementModel::regionImagesOf(std::size_t color, std::size_t camera,
   std::vector<RegionImage> instants;
   instants.reserve(history.images().size());
   for (const SightingImage& image : history.images()) {
-    RegionImage& instant = instants.emplace_back(RegionImage{image.time, {}});
-    instant.seen.reserve(image.regions.size());
+    RegionImage& instant = instants.emplace_back(RegionImage{image.captureTime, {}});
+    instant.regions.reserve(image.regions.size());
     for (const RegionSighting& sighting : image.regions) {
       const auto& [center, radius, sigma, byShape] = sighting.region;
       const double bias = std::hypot(byShape, anyShape * radius);
       const bool counts = sighting.countsAsEvidence && counted++ % stride == 0;
-      const double uncertain =
-          std::hypot(sigma, anyShape * radius, kMotionSigma * interval_ * sighting.rate.norm());
+      const double uncertain = std::hypot(sigma, anyShape * radius,
+                                          kMotionSigma * imageInterval_ * sighting.rate.norm());
       SeenRegion seen{sighting.direction, sighting.directionRate, radius / focal,
                       uncertain / focal,  bias / focal,           counts};
       if (calibration != camera) {
@@ -110,9 +110,9 @@ AgreementModel::regionImagesOf(std::size_t color, std::size_t camera,
           continue;
         }
         seen.direction = *direction;
-        seen.rate = (*next - *direction) / kStep;
+        seen.directionRate = (*next - *direction) / kStep;
       }
-      instant.seen.push_back(seen);
+      instant.regions.push_back(seen);
     }
   }
   return instants;
@@ -122,9 +122,9 @@ double AgreementModel::biasOf(const Views& views, std::size_t camera) {
   std::vector<double> biases;
   for (const auto& color : views) {
     for (const RegionImage& instant : color[camera]) {
-      for (const SeenRegion& seen : instant.seen) {
+      for (const SeenRegion& seen : instant.regions) {
         if (seen.countsAsEvidence) {
-          biases.push_back(seen.bias);
+          biases.push_back(seen.biasSigma);
         }
       }
     }
@@ -158,7 +158,7 @@ void AgreementModel::compare(const Views& views, const std::vector<Pose>& poses,
   for (std::size_t color = 0; color < views.size(); ++color) {
     for (std::size_t a = 0; a < count; ++a) {
       for (const RegionImage& instant : views[color][a]) {
-        for (const SeenRegion& seen : instant.seen) {
+        for (const SeenRegion& seen : instant.regions) {
           if (!seen.countsAsEvidence) {
             continue;
           }
@@ -169,22 +169,26 @@ void AgreementModel::compare(const Views& views, const std::vector<Pose>& poses,
               continue;
             }
             const double time = instant.time - errors[a].delay + errors[b].delay;
-            const RegionImage* other = nearest(views[color][b], time, kNearestInstant * interval_);
-            if (other == nullptr || other->seen.empty()) {
+            const RegionImage* other =
+                nearest(views[color][b], time, kNearestInstant * imageInterval_);
+            if (other == nullptr || other->regions.empty()) {
               continue;
             }
             matches.clear();
             double sum = 0.0;
-            for (const SeenRegion& there : other->seen) {
+            for (const SeenRegion& there : other->regions) {
               const Eigen::Vector3d v =
-                  rotations[b] * (there.direction + (time - other->time) * there.rate).normalized();
-              matches.push_back(matchRegions(seen, u, there, v, apart, widening, poses[b].field));
-              sum += matches.back().density;
+                  rotations[b] *
+                  (there.direction + (time - other->time) * there.directionRate).normalized();
+              matches.push_back(
+                  matchRegions(seen, u, there, v, apart, widening, poses[b].verticalFieldOfView));
+              sum += matches.back().relativeLikelihood;
             }
             const double share = (1.0 - kUnmatched) / static_cast<double>(matches.size());
             const double likelihood = kUnmatched + share * sum;
             for (RegionMatch& match : matches) {
-              match.density *= share / likelihood; // now the probability of this assignment
+              match.relativeLikelihood *=
+                  share / likelihood; // now the probability of this assignment
             }
             visit(a, b, color, seen, *other, rotations, matches, likelihood);
           }
@@ -209,10 +213,10 @@ Eigen::VectorXd AgreementModel::priorInformation(const AgreementHypothesis& hypo
   Eigen::VectorXd priors(static_cast<Eigen::Index>(kUnknowns * cameras_.size()));
   for (std::size_t k = 0; k < cameras_.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(kUnknowns * k);
-    const double turn = std::hypot(hypothesis.freeRotationCamera == k ? kFreeTurnSigma : kTurnSigma,
-                                   biasOf(views, k));
+    const double turn = std::hypot(
+        hypothesis.cameraWithFreeRotation == k ? kFreeTurnSigma : kTurnSigma, biasOf(views, k));
     const double delay =
-        hypothesis.freeDelayCamera == k ? kFreeDelaySigma : kDelaySigma * interval_;
+        hypothesis.cameraWithFreeDelay == k ? kFreeDelaySigma : kDelaySigma * imageInterval_;
     priors.segment<3>(at).setConstant(1.0 / (turn * turn));
     priors[at + 3] = 1.0 / (delay * delay);
   }
@@ -241,7 +245,7 @@ AgreementFit AgreementModel::evaluate(const Views& views, const std::vector<Pose
   const double weight = 0.5 * std::min(1.0, static_cast<double>(2 * count - 3) / pairCount);
   AgreementFit fit;
   fit.pairLogLikelihoods.assign(count * count, 0.0);
-  fit.pairCounts.assign(count * count, 0.0);
+  fit.pairComparisonCounts.assign(count * count, 0.0);
   for (std::size_t k = 0; k < count; ++k) {
     const auto at = static_cast<Eigen::Index>(kUnknowns * k);
     fit.errors.push_back({unknowns.segment<3>(at), unknowns[at + 3]});
@@ -252,27 +256,27 @@ AgreementFit AgreementModel::evaluate(const Views& views, const std::vector<Pose
               const std::vector<RegionMatch>& matches, double likelihood) {
             const std::size_t pair = std::min(a, b) * count + std::max(a, b);
             fit.pairLogLikelihoods[pair] += weight * std::log(likelihood);
-            fit.pairCounts[pair] += weight;
+            fit.pairComparisonCounts[pair] += weight;
             for (std::size_t i = 0; i < matches.size(); ++i) {
               constexpr double kNegligible = 1e-6; // of one sighting
-              const double share = weight * matches[i].density;
+              const double share = weight * matches[i].relativeLikelihood;
               if (share < kNegligible) {
                 continue;
               }
-              const SeenRegion& there = other.seen[i];
+              const SeenRegion& there = other.regions[i];
               const Eigen::Vector3d residualByU = rotations[a].transpose() * matches[i].residualByU;
               const Eigen::Vector3d residualByV = rotations[b].transpose() * matches[i].residualByV;
               Sums::Slope slope;
               slope.segment<3>(0) = residualByU.cross(seen.direction);
-              slope[3] = -residualByV.dot(there.rate);
+              slope[3] = -residualByV.dot(there.directionRate);
               slope.segment<3>(4) = residualByV.cross(there.direction);
-              slope[7] = residualByV.dot(there.rate);
+              slope[7] = residualByV.dot(there.directionRate);
               sums.add(a, b, slope, share, matches[i].residual);
             }
           });
-  for (std::size_t pair = 0; pair < fit.pairCounts.size(); ++pair) {
+  for (std::size_t pair = 0; pair < fit.pairComparisonCounts.size(); ++pair) {
     fit.logLikelihood += fit.pairLogLikelihoods[pair];
-    fit.count += fit.pairCounts[pair];
+    fit.comparisonCount += fit.pairComparisonCounts[pair];
   }
   return fit;
 }
@@ -282,7 +286,7 @@ void AgreementModel::summarizePairs(AgreementFit& fit) const {
   std::vector<double> likelihoods, counts, ofCamera(count, 0.0), countOfCamera(count, 0.0);
   for (const auto& [a, b] : pairs()) {
     likelihoods.push_back(fit.pairLogLikelihoods[a * count + b]);
-    counts.push_back(fit.pairCounts[a * count + b]);
+    counts.push_back(fit.pairComparisonCounts[a * count + b]);
     for (const std::size_t camera : {a, b}) {
       ofCamera[camera] += likelihoods.back();
       countOfCamera[camera] += counts.back();
@@ -296,7 +300,7 @@ void AgreementModel::summarizePairs(AgreementFit& fit) const {
   }
   fit.lowestMeanLogLikelihood = std::isfinite(least) ? least : 0.0;
   fit.pairLogLikelihoods = std::move(likelihoods);
-  fit.pairCounts = std::move(counts);
+  fit.pairComparisonCounts = std::move(counts);
 }
 
 AgreementModel::Views
@@ -314,22 +318,22 @@ AgreementModel::viewsWith(const std::vector<std::size_t>& calibrations) const {
 
 AgreementFit AgreementModel::fit(const AgreementHypothesis& hypothesis) const {
   std::vector<Pose> poses = cameras_;
-  for (std::size_t k = 0; k < hypothesis.calibrations.size(); ++k) {
-    poses[k] = cameras_[hypothesis.calibrations[k]];
+  for (std::size_t k = 0; k < hypothesis.calibrationIndices.size(); ++k) {
+    poses[k] = cameras_[hypothesis.calibrationIndices[k]];
   }
-  const bool isDeclared = hypothesis.calibrations.empty();
-  const Views borrowed = isDeclared ? Views() : viewsWith(hypothesis.calibrations);
+  const bool isDeclared = hypothesis.calibrationIndices.empty();
+  const Views borrowed = isDeclared ? Views() : viewsWith(hypothesis.calibrationIndices);
   const Views& views = isDeclared ? views_ : borrowed;
   const Eigen::VectorXd priors = priorInformation(hypothesis, views); // inverse variances
   // From coarse to fine: what is far off finds its counterpart first.
   static constexpr std::array kFromFar{0.09, 0.03, 0.01, 0.003, 0.0, 0.0, 0.0};
   static constexpr std::array kFromNear{0.01, 0.003, 0.0, 0.0, 0.0};
-  const std::span<const double> widenings = hypothesis.freeRotationCamera
+  const std::span<const double> widenings = hypothesis.cameraWithFreeRotation
                                                 ? std::span<const double>(kFromFar)
                                                 : std::span<const double>(kFromNear);
   Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(priors.size());
-  if (hypothesis.freeDelayCamera) {
-    unknowns[static_cast<Eigen::Index>(kUnknowns * *hypothesis.freeDelayCamera) + 3] =
+  if (hypothesis.cameraWithFreeDelay) {
+    unknowns[static_cast<Eigen::Index>(kUnknowns * *hypothesis.cameraWithFreeDelay) + 3] =
         hypothesis.initialDelay;
   }
   std::optional<AgreementFit> best;
@@ -340,7 +344,7 @@ AgreementFit AgreementModel::fit(const AgreementHypothesis& hypothesis) const {
     if (widening == 0.0 &&
         (!best || now.logLikelihood + now.logPrior > best->logLikelihood + best->logPrior)) {
       constexpr double kLeastInformation = 1e-12; // nothing but rounding
-      const Eigen::VectorXd values = geometry::symmetricEigen(sums.information).values;
+      const Eigen::VectorXd values = geometry::symmetricEigen(sums.information).eigenvalues;
       const double volume =
           0.5 * (priors.array().log().sum() - values.array().max(kLeastInformation).log().sum());
       now.logEvidence = now.logLikelihood + now.logPrior + volume;
@@ -365,16 +369,16 @@ double AgreementModel::approximateLogLikelihood(std::size_t camera, double delay
 
 std::optional<double> AgreementModel::sizeRatio(const std::vector<CameraError>& errors) const {
   std::vector<double> ratios;
-  compare(views_, cameras_, errors, 0.0, std::nullopt,
-          [&](std::size_t, std::size_t, std::size_t color, const SeenRegion&, const RegionImage&,
-              const std::vector<Eigen::Matrix3d>&, const std::vector<RegionMatch>& matches,
-              double) {
-            for (const RegionMatch& match : matches) {
-              if (match.density > 0.5 && match.size > 0.0 && radii_[color] > 0.0) {
-                ratios.push_back(match.size / radii_[color]);
-              }
-            }
-          });
+  compare(
+      views_, cameras_, errors, 0.0, std::nullopt,
+      [&](std::size_t, std::size_t, std::size_t color, const SeenRegion&, const RegionImage&,
+          const std::vector<Eigen::Matrix3d>&, const std::vector<RegionMatch>& matches, double) {
+        for (const RegionMatch& match : matches) {
+          if (match.relativeLikelihood > 0.5 && match.objectRadius > 0.0 && radii_[color] > 0.0) {
+            ratios.push_back(match.objectRadius / radii_[color]);
+          }
+        }
+      });
   return ratios.size() < kFewestSizes ? std::nullopt
                                       : std::optional(base::upperMedian(std::move(ratios)));
 }

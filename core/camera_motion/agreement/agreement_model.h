@@ -28,14 +28,14 @@ struct CameraError {
 struct AgreementHypothesis {
   /// For each camera, the index of the camera whose calibration applies to its images under this
   /// assumption. If empty, each camera has its own calibration.
-  std::vector<std::size_t> calibrations = {};
+  std::vector<std::size_t> calibrationIndices = {};
   /// Camera that may point in a wrong direction. The standard deviation of its rotation error is 3
   /// degrees instead of the usual 0.2 degrees.
-  std::optional<std::size_t> freeRotationCamera = {};
+  std::optional<std::size_t> cameraWithFreeRotation = {};
   /// Camera whose images may be delayed. The standard deviation of its delay is 0.25 s. For other
   /// cameras, it is 0.3 image intervals, as is usual without synchronization.
-  std::optional<std::size_t> freeDelayCamera = {};
-  /// Start value for the delay of `freeDelayCamera`, in seconds.
+  std::optional<std::size_t> cameraWithFreeDelay = {};
+  /// Start value for the delay of `cameraWithFreeDelay`, in seconds.
   double initialDelay = 0.0;
 };
 
@@ -49,11 +49,11 @@ struct AgreementFit {
   double logLikelihood = 0.0; ///< log likelihood at `errors`
   double logPrior = 0.0;      ///< log prior of `errors`, relative to no errors
   /// Sum of the weights of all comparisons of a sighting with the image of another camera.
-  double count = 0.0;
+  double comparisonCount = 0.0;
   /// Log likelihoods (and then counts of comparisons) for each camera pair, in the order of
   /// AgreementModel::pairs().
   std::vector<double> pairLogLikelihoods = {};
-  std::vector<double> pairCounts = {};
+  std::vector<double> pairComparisonCounts = {};
 
   /// Mean log likelihood per comparison for the camera that agrees least with the others; 0 if
   /// nothing was compared.
@@ -96,7 +96,7 @@ public:
   std::optional<double> sizeRatio(const std::vector<CameraError>& errors) const;
 
   /// Returns the median time between successive images of a camera, in seconds.
-  double interval() const { return interval_; }
+  double imageInterval() const { return imageInterval_; }
   std::size_t cameraCount() const { return cameras_.size(); }
   /// Returns the camera pairs, in the order of AgreementFit::pairLogLikelihoods.
   std::vector<std::pair<std::size_t, std::size_t>> pairs() const;
@@ -105,14 +105,14 @@ private:
   /// Regions of one color in one image, and the time of that image in seconds.
   struct RegionImage {
     double time;
-    std::vector<SeenRegion> seen;
+    std::vector<SeenRegion> regions;
   };
   /// Images and their regions, by color and camera.
   using Views = std::vector<std::vector<std::vector<RegionImage>>>;
   struct Pose {
     Eigen::Vector3d center;
     Eigen::Matrix3d worldFromCamera;
-    double field = 1.0; ///< angular height of the camera's image, radians
+    double verticalFieldOfView = 1.0; ///< angular height of the camera's image, radians
   };
   struct Sums;
 
@@ -132,8 +132,8 @@ private:
   AgreementFit evaluate(const Views& views, const std::vector<Pose>& poses,
                         const Eigen::VectorXd& unknowns, double widening, Sums& sums) const;
   void summarizePairs(AgreementFit& fit) const;
-  /// Returns the median constant error due to region shape (SeenRegion::bias), over those sightings
-  /// of a camera that count as evidence.
+  /// Returns the median constant error due to region shape (SeenRegion::biasSigma), over those
+  /// sightings of a camera that count as evidence.
   static double biasOf(const Views& views, std::size_t camera);
   /// Returns the image in `instants` that is closest to `time`, or null if none is within `within`
   /// seconds of `time`.
@@ -142,8 +142,9 @@ private:
   /// Calls visit(a, b, color, seen, other, rotations, matches, likelihood) for each comparison of a
   /// region `seen`, which counts in camera `a`, with the image `other` of camera `b`. `rotations`
   /// contains the world-from-camera rotations with the errors applied. `matches` has one entry per
-  /// region in `other`; the `density` of an entry is the probability that the region shows the same
-  /// object as `seen`. With `only`, only pairs that include this camera are compared.
+  /// region in `other`; the `relativeLikelihood` of an entry is the probability that the region
+  /// shows the same object as `seen`. With `only`, only pairs that include this camera are
+  /// compared.
   template <class Visit>
   void compare(const Views& views, const std::vector<Pose>& poses,
                const std::vector<CameraError>& errors, double widening,
@@ -155,7 +156,7 @@ private:
   std::vector<Unprojector> unprojectors_;
   std::vector<double> focals_; ///< focal length of each camera, pixels
   std::vector<Pose> cameras_;
-  double interval_ = 0.0;
+  double imageInterval_ = 0.0;
   Views views_; ///< images and regions of all cameras, each with its own calibration
 };
 

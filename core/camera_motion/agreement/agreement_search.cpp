@@ -103,20 +103,21 @@ void addSwapped(const AgreementModel& model, const CameraRig& rig, Candidates& c
       continue;
     }
     AgreementHypothesis hypothesis;
-    hypothesis.calibrations.resize(rig.size());
-    std::iota(hypothesis.calibrations.begin(), hypothesis.calibrations.end(), std::size_t{0});
-    std::swap(hypothesis.calibrations[a], hypothesis.calibrations[b]);
+    hypothesis.calibrationIndices.resize(rig.size());
+    std::iota(hypothesis.calibrationIndices.begin(), hypothesis.calibrationIndices.end(),
+              std::size_t{0});
+    std::swap(hypothesis.calibrationIndices[a], hypothesis.calibrationIndices[b]);
     candidates.add({.fault = CameraFault::Swapped, .cameras = {a, b}}, model.fit(hypothesis));
   }
 }
 
 void addLate(const AgreementModel& model, Candidates& candidates) {
-  const double step = std::max(kLeastDelayStep, kDelayStep * model.interval());
+  const double step = std::max(kLeastDelayStep, kDelayStep * model.imageInterval());
   // Of two cameras one is late, and the other not early.
   const double earliest = model.cameraCount() > 2 ? -kMostDelay : step;
   for (std::size_t camera = 0; camera < model.cameraCount(); ++camera) {
     AgreementHypothesis hypothesis;
-    hypothesis.freeDelayCamera = camera;
+    hypothesis.cameraWithFreeDelay = camera;
     double best = -1e18;
     for (double delay = earliest; delay <= kMostDelay; delay += step) {
       if (const double value = model.approximateLogLikelihood(camera, delay); value > best) {
@@ -136,19 +137,19 @@ void addRotated(const AgreementModel& model, Candidates& candidates) {
   std::vector<AgreementFit> fits;
   for (std::size_t camera = 0; camera < model.cameraCount(); ++camera) {
     AgreementHypothesis hypothesis;
-    hypothesis.freeRotationCamera = camera;
+    hypothesis.cameraWithFreeRotation = camera;
     fits.push_back(model.fit(hypothesis));
     if (model.cameraCount() > 2) {
       candidates.add({.fault = CameraFault::Rotated,
                       .cameras = {camera},
-                      .turns = {fits.back().errors[camera].turn}},
+                      .rotationCorrections = {fits.back().errors[camera].turn}},
                      fits.back());
     }
   }
   if (fits.size() == 2) { // nothing tells which of both it is
     candidates.add({.fault = CameraFault::Rotated,
                     .cameras = {0, 1},
-                    .turns = {fits[0].errors[0].turn, fits[1].errors[1].turn}},
+                    .rotationCorrections = {fits[0].errors[0].turn, fits[1].errors[1].turn}},
                    fits[0].logEvidence > fits[1].logEvidence ? fits[0] : fits[1]);
   }
 }

@@ -165,7 +165,7 @@ void CameraAgreement::onGoodFit(const AgreementModel& model, const AgreementFit&
   const auto ratio = model.sizeRatio(asDeclared.errors);
   const double unit = ratio ? lengthUnitFromRatio(*ratio) : 0.0;
   if (unit > 0.0) {
-    report(CameraDisagreement{.fault = CameraFault::Unit, .scale = unit});
+    report(CameraDisagreement{.fault = CameraFault::Unit, .metersPerUnit = unit});
   } else if (time - *goodSince_ >= kGoodAgain) {
     report(std::nullopt);
   }
@@ -199,7 +199,7 @@ void CameraAgreement::report(const std::optional<CameraDisagreement>& seen) {
       seen &&
       std::any_of(found_.begin(), found_.begin() + static_cast<std::ptrdiff_t>(rigFaultCount_),
                   [&](const CameraDisagreement& one) {
-                    return one.isSameAs(*seen) && one.scale == seen->scale;
+                    return one.isSameAs(*seen) && one.metersPerUnit == seen->metersPerUnit;
                   });
   found_.resize(rigFaultCount_);
   if (seen && !isOfRig) {

@@ -31,7 +31,7 @@ public:
   /// Returns the faults found so far: first the faults of the rig itself, then at most one fault
   /// derived from the images. The fault derived from the images is removed when the cameras agree
   /// again.
-  const std::vector<CameraDisagreement>& found() const { return found_; }
+  const std::vector<CameraDisagreement>& disagreements() const { return found_; }
 
   /// Discards all sightings and starts from scratch.
   void restart();

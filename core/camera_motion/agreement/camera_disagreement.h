@@ -33,8 +33,8 @@ struct CameraDisagreement {
   /// For Rotated: the correction for each of `cameras`, as a rotation vector (radians, camera
   /// axes). The corrected cameraFromWorld is exp([turn]x) times the old cameraFromWorld, where
   /// [turn]x is the cross-product matrix of the rotation vector.
-  std::vector<Eigen::Vector3d> turns = {};
-  double scale = 1.0; ///< for Unit: meters per unit of the calibration
+  std::vector<Eigen::Vector3d> rotationCorrections = {};
+  double metersPerUnit = 1.0; ///< for Unit: meters per unit of the calibration
   /// Log odds (natural logarithm) of this fault against no fault; 0 for Unit and SamePose, which
   /// are certain when they are found.
   double logOdds = 0.0;

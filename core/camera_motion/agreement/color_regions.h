@@ -22,7 +22,7 @@ struct ColorRegion {
   double sigma = 0.0;
   /// Part of `sigma` that results from the shape of the region and stays constant while the object
   /// moves.
-  double bias = 0.0;
+  double biasSigma = 0.0;
 };
 
 /// Finds the regions of one color in images. Only every few rows are scanned. This is enough to

@@ -34,14 +34,14 @@ std::string describeDisagreement(const CameraDisagreement& found, const CameraRi
                ? fmt::format(
                      "{} or {} points at least {:.1f} degrees away from its calibrated direction; "
                      "calibrate them again",
-                     name(0), name(1), inDegrees(found.turns.at(0).norm()))
+                     name(0), name(1), inDegrees(found.rotationCorrections.at(0).norm()))
                : fmt::format(
                      "{} points about {:.1f} degrees away from its calibrated direction; calibrate "
                      "it again",
-                     name(0), inDegrees(found.turns.at(0).norm()));
+                     name(0), inDegrees(found.rotationCorrections.at(0).norm()));
   case CameraFault::Unit:
     return fmt::format("the calibration seems to be in units of {:g} m; it must be in meters",
-                       found.scale);
+                       found.metersPerUnit);
   case CameraFault::SamePose:
     return fmt::format("{} and {} have the same pose; calibrate them again", name(0), name(1));
   case CameraFault::Unknown:

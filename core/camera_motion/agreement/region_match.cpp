@@ -42,7 +42,7 @@ RegionMatch matchRegions(const SeenRegion& a, const Eigen::Vector3d& u, const Se
   match.residual = value / sigma;
   match.residualByU = residualByU / sigma;
   match.residualByV = residualByV / sigma;
-  match.density = normalDensity(match.residual) * field * leverV / sigma;
+  match.relativeLikelihood = normalDensity(match.residual) * field * leverV / sigma;
   const Eigen::Vector3d normal = u.cross(v);
   const double sine = normal.norm();
   if (sine < kParallel * std::hypot(a.sigma, b.sigma, widening)) {
@@ -51,13 +51,13 @@ RegionMatch matchRegions(const SeenRegion& a, const Eigen::Vector3d& u, const Se
   const double depthA = apart.cross(v).dot(normal) / (sine * sine);
   const double depthB = apart.cross(u).dot(normal) / (sine * sine);
   if (depthA <= 0.0 || depthB <= 0.0) {
-    match.density = 0.0;
+    match.relativeLikelihood = 0.0;
     return match;
   }
   const double ratio = std::log(a.radius * depthA / (b.radius * depthB));
-  match.density *= kSizeUnlike + (1.0 - kSizeUnlike) * kSizeRange / kSizeSigma *
-                                     normalDensity(ratio / kSizeSigma);
-  match.size = 0.5 * (a.radius * depthA + b.radius * depthB);
+  match.relativeLikelihood *= kSizeUnlike + (1.0 - kSizeUnlike) * kSizeRange / kSizeSigma *
+                                                normalDensity(ratio / kSizeSigma);
+  match.objectRadius = 0.5 * (a.radius * depthA + b.radius * depthB);
   return match;
 }
 

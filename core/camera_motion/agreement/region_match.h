@@ -8,13 +8,13 @@
 namespace dewpoint::camera_motion {
 
 /// Region in a target's color in one image, like ColorRegion, but with directions and angles in
-/// place of pixels. `radius`, `sigma` and `bias` are angles in radians.
+/// place of pixels. `radius`, `sigma` and `biasSigma` are angles in radians.
 struct SeenRegion {
-  Eigen::Vector3d direction; ///< direction to the center: unit vector, camera axes
-  Eigen::Vector3d rate;      ///< change of `direction` per second
+  Eigen::Vector3d direction;     ///< direction to the center: unit vector, camera axes
+  Eigen::Vector3d directionRate; ///< change of `direction` per second
   double radius;
-  double sigma; ///< standard deviation of the center, per axis
-  double bias;  ///< part of `sigma` that is constant while the object moves
+  double sigma;     ///< standard deviation of the center, per axis
+  double biasSigma; ///< part of `sigma` that is constant while the object moves
   /// True if the region moved enough to count (RegionSighting::countsAsEvidence).
   bool countsAsEvidence;
 };
@@ -22,14 +22,14 @@ struct SeenRegion {
 /// Result of matchRegions(): how well two regions, each in the image of another camera, match as
 /// views of the same object.
 struct RegionMatch {
-  double density = 0.0;  ///< likelihood divided by the likelihood of unrelated regions
-  double residual = 0.0; ///< distance between the two rays, in standard deviations
+  double relativeLikelihood = 0.0; ///< likelihood divided by the likelihood of unrelated regions
+  double residual = 0.0;           ///< distance between the two rays, in standard deviations
   /// Derivative of `residual` with respect to the direction `u` to the region in the first camera.
   Eigen::Vector3d residualByU = Eigen::Vector3d::Zero();
   /// Derivative of `residual` with respect to the direction `v` to the region in the second camera.
   Eigen::Vector3d residualByV = Eigen::Vector3d::Zero();
   /// Radius of the object seen by both cameras, in the unit of the camera positions; 0: unknown.
-  double size = 0.0;
+  double objectRadius = 0.0;
 };
 
 /// Returns how well region `a` in a first camera matches region `b` in a second camera. `a` is seen

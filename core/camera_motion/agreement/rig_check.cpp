@@ -35,7 +35,8 @@ std::vector<CameraDisagreement> checkRig(const CameraRig& rig) {
   const double spread = calibration::cameraSpread(rig);
   if (spread > calibration::kMaxCameraSpread) {
     const bool isNarrow = kMillimeter * spread < kNarrowestInMillimeters;
-    found.push_back({.fault = CameraFault::Unit, .scale = isNarrow ? kCentimeter : kMillimeter});
+    found.push_back(
+        {.fault = CameraFault::Unit, .metersPerUnit = isNarrow ? kCentimeter : kMillimeter});
   }
   for (const auto& [first, second] : calibration::camerasWithSamePose(rig)) {
     found.push_back({.fault = CameraFault::SamePose, .cameras = {first, second}});

@@ -31,7 +31,7 @@ std::size_t SightingHistory::countEvidence() const {
 }
 
 void SightingHistory::add(const cv::Mat& image, double time) {
-  if (!images_.empty() && time <= images_.back().time) {
+  if (!images_.empty() && time <= images_.back().captureTime) {
     return;
   }
   SightingImage now{time, {}};
@@ -40,7 +40,7 @@ void SightingHistory::add(const cv::Mat& image, double time) {
       now.regions.push_back({.region = region, .direction = *direction});
     }
   }
-  if (!images_.empty() && time - images_.back().time <= kLongestGap) {
+  if (!images_.empty() && time - images_.back().captureTime <= kLongestGap) {
     trackRegions(images_.back(), now);
   }
   std::vector<CountedPosition> counted;
@@ -58,13 +58,13 @@ void SightingHistory::add(const cv::Mat& image, double time) {
   }
   counted_ = std::move(counted);
   images_.push_back(std::move(now));
-  while (images_.front().time < time - kHistorySeconds) {
+  while (images_.front().captureTime < time - kHistorySeconds) {
     images_.pop_front();
   }
 }
 
 void SightingHistory::trackRegions(const SightingImage& before, SightingImage& now) {
-  const double passed = now.time - before.time;
+  const double passed = now.captureTime - before.captureTime;
   std::vector<bool> taken(now.regions.size(), false);
   for (const RegionSighting& old : before.regions) { // the largest first
     const Eigen::Vector2d expected = old.region.center + passed * old.rate;

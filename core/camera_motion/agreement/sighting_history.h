@@ -28,7 +28,7 @@ struct RegionSighting {
 
 /// All sightings of one color in one image.
 struct SightingImage {
-  double time = 0.0; ///< capture time of the image, seconds
+  double captureTime = 0.0; ///< capture time of the image, seconds
   std::vector<RegionSighting> regions;
 };
 

@@ -61,8 +61,8 @@ std::string describe(const DeviceFormat& format) {
   if (format.width > 0) {
     add(fmt::format("{}x{}", format.width, format.height));
   }
-  if (format.rate > 0.0) {
-    add(fmt::format("{:.4g}", format.rate));
+  if (format.frameRate > 0.0) {
+    add(fmt::format("{:.4g}", format.frameRate));
   }
   return text;
 }
@@ -82,8 +82,8 @@ DeviceFormat completedFormat(const DeviceFormat& format,
     complete.height = known->sizes.front().height;
   }
   const OfferedSize* size = offeredSize(*known, complete.width, complete.height);
-  if (complete.rate == 0.0 && size != nullptr && !size->rates.empty()) {
-    complete.rate = size->rates.front();
+  if (complete.frameRate == 0.0 && size != nullptr && !size->frameRates.empty()) {
+    complete.frameRate = size->frameRates.front();
   }
   return complete;
 }
@@ -94,15 +94,15 @@ bool isOffered(const DeviceFormat& format, const std::vector<OfferedFormat>& off
     if (!format.pixelFormat.empty() && format.pixelFormat != one.pixelFormat) {
       return false;
     }
-    if (one.hasOtherSizes || (format.width == 0 && format.rate == 0.0)) {
+    if (one.hasOtherSizes || (format.width == 0 && format.frameRate == 0.0)) {
       return true;
     }
     return std::ranges::any_of(one.sizes, [&](const OfferedSize& size) {
       const bool hasSize =
           format.width == 0 || (size.width == format.width && size.height == format.height);
-      return hasSize && (format.rate == 0.0 || size.rates.empty() ||
-                         std::ranges::any_of(size.rates, [&](double rate) {
-                           return std::abs(rate - format.rate) <= kSameRate * rate;
+      return hasSize && (format.frameRate == 0.0 || size.frameRates.empty() ||
+                         std::ranges::any_of(size.frameRates, [&](double rate) {
+                           return std::abs(rate - format.frameRate) <= kSameRate * rate;
                          }));
     });
   });

@@ -13,7 +13,7 @@ struct OfferedSize {
   int width = 0;  ///< pixels
   int height = 0; ///< pixels
   /// Images per second, highest first; empty if the device does not list rates.
-  std::vector<double> rates;
+  std::vector<double> frameRates;
 
   bool operator==(const OfferedSize&) const = default;
 };
@@ -35,7 +35,7 @@ struct OfferedFormat {
 /// USB bus to which a device is connected. Devices with the same bus number share the capacity of
 /// the bus.
 struct UsbLink {
-  int bus = 0;                      ///< number of the bus; 0 if the device is not a USB device
+  int busNumber = 0;                ///< number of the bus; 0 if the device is not a USB device
   double deviceMbitPerSecond = 0.0; ///< speed of the device, Mbit/s: 12, 480, 5000, ...
   double busMbitPerSecond = 0.0;    ///< speed of the bus, Mbit/s
 
@@ -49,10 +49,10 @@ struct CameraDevice {
   /// Path that does not change when devices are plugged in; can be used as LiveCamera::location. It
   /// is below /dev/v4l/by-id if the serial number is unique, otherwise below /dev/v4l/by-path. If
   /// there is neither, it is `path`.
-  std::string address;
+  std::string stablePath;
   DeviceIdentity identity;
   std::string driver; ///< kernel driver, for example "uvcvideo"
-  UsbLink usb;
+  UsbLink usbLink;
   std::vector<OfferedFormat> formats;
   /// Reason why the device cannot be used, for example a missing permission. `formats` is then
   /// empty. The text is empty if the device can be used.

@@ -46,7 +46,7 @@ const DeviceControl* controlNamed(const std::vector<DeviceControl>& controls,
 }
 
 bool isRefused(const ColorLock& lock, ColorAutomatic automatic) {
-  return std::ranges::find(lock.refusals, automatic, &ColorLock::Refusal::automatic) !=
+  return std::ranges::find(lock.refusals, automatic, &ColorLock::Refusal::adjustment) !=
          lock.refusals.end();
 }
 
@@ -73,14 +73,14 @@ Status lockStep(DeviceAccess& access, const std::string& path, bool switches,
                 const std::vector<DeviceControl>& before, ColorLock& lock) {
   for (const ColorControl& one : kColorControls) {
     const DeviceControl* control = controlNamed(before, one.name);
-    if (one.off.has_value() != switches || control == nullptr || control->readOnly) {
+    if (one.off.has_value() != switches || control == nullptr || control->isReadOnly) {
       continue;
     }
     if (auto set = setOne(access, path, one, one.off.value_or(control->value), lock); !set) {
       return set;
     }
   }
-  const auto after = access.controls(path);
+  const auto after = access.readControls(path);
   if (!after) {
     return tl::make_unexpected(after.error());
   }
@@ -106,7 +106,7 @@ bool isSwitch(const std::string& name) {
 } // namespace
 
 Result<ColorLock> lockColors(DeviceAccess& access, const std::string& path) {
-  const auto before = access.controls(path);
+  const auto before = access.readControls(path);
   if (!before) {
     return tl::make_unexpected(before.error());
   }
@@ -142,10 +142,10 @@ std::vector<Error> applyControls(DeviceAccess& access, const std::string& path,
   if (others == ordered.end()) {
     return errors;
   }
-  const auto controls = access.controls(path);
+  const auto controls = access.readControls(path);
   for (auto one = others; one != ordered.end(); ++one) {
     const DeviceControl* control = controls ? controlNamed(*controls, one->first) : nullptr;
-    if (control == nullptr || !control->inactive) { // an automatic that stays on has its value
+    if (control == nullptr || !control->isInactive) { // an automatic that stays on has its value
       set(*one);
     }
   }

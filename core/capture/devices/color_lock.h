@@ -17,9 +17,9 @@ struct ColorLock {
   /// Control that the device did not accept: an automatic adjustment that could not be switched
   /// off, or a value that could not be set.
   struct Refusal {
-    ColorAutomatic automatic = ColorAutomatic::Exposure;
-    std::string control; ///< name of the control
-    std::string reason;  ///< reason for the refusal, as text to append after a colon
+    ColorAutomatic adjustment = ColorAutomatic::Exposure;
+    std::string controlName; ///< name of the control
+    std::string reason;      ///< reason for the refusal, as text to append after a colon
   };
 
   /// Control values that are now set, to be stored in the project (DeviceSettings::controls): the

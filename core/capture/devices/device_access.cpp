@@ -18,9 +18,9 @@ namespace {
 
 class NoDevices final : public DeviceAccess {
 public:
-  std::vector<CameraDevice> list() override { return {}; }
-  std::string signature() override { return {}; }
-  Result<std::vector<DeviceControl>> controls(const std::string& path) override {
+  std::vector<CameraDevice> listDevices() override { return {}; }
+  std::string deviceListSignature() override { return {}; }
+  Result<std::vector<DeviceControl>> readControls(const std::string& path) override {
     return failure(ErrorCode::DeviceUnavailable, path, "", kReason);
   }
   Status setControl(const std::string& path, const std::string& name,

@@ -20,15 +20,15 @@ public:
 
   /// Returns all devices that deliver images, ordered by device number. Device nodes for metadata,
   /// codecs and outputs are omitted.
-  virtual std::vector<CameraDevice> list() = 0;
+  virtual std::vector<CameraDevice> listDevices() = 0;
 
   /// Returns a text that changes when a device is connected or disconnected, or when its links in
   /// /dev/v4l change. Opens no device.
-  virtual std::string signature() = 0;
+  virtual std::string deviceListSignature() = 0;
 
   /// Returns the controls of the device at this path or address, in the driver's order. Error:
   /// DeviceUnavailable; Error::file is the path.
-  virtual Result<std::vector<DeviceControl>> controls(const std::string& path) = 0;
+  virtual Result<std::vector<DeviceControl>> readControls(const std::string& path) = 0;
 
   /// Sets the control `name` of a device. The driver rounds values between two steps. Errors:
   /// DeviceUnavailable; NotFound if the device has no such control; BadValue if the device refuses

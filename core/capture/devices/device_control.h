@@ -33,9 +33,11 @@ struct DeviceControl {
   std::int64_t step = 1; ///< distance between two possible values, at least 1
   std::int64_t defaultValue = 0;
   std::int64_t value = 0;
-  std::vector<ControlMenuItem> menu; ///< choices that the device offers; only for ControlKind::Menu
-  bool readOnly = false;
-  bool inactive = false; ///< has no effect now, because the device adjusts this value automatically
+  std::vector<ControlMenuItem>
+      menuItems; ///< choices that the device offers; only for ControlKind::Menu
+  bool isReadOnly = false;
+  bool isInactive =
+      false; ///< has no effect now, because the device adjusts this value automatically
 
   bool operator==(const DeviceControl&) const = default;
 };

@@ -51,14 +51,14 @@ public:
     std::vector<std::vector<std::size_t>> claimed(identities_.size());
     std::vector<int> claims(devices_.size(), 0);
     for (std::size_t k = 0; k < identities_.size(); ++k) {
-      claimed[k] = matches_[k].device ? std::vector<std::size_t>() : fitting(k, rule);
+      claimed[k] = matches_[k].deviceIndex ? std::vector<std::size_t>() : fitting(k, rule);
       for (const std::size_t device : claimed[k]) {
         ++claims[device];
       }
     }
     for (std::size_t k = 0; k < identities_.size(); ++k) {
       if (claimed[k].size() == 1 && claims[claimed[k].front()] == 1) {
-        matches_[k].device = claimed[k].front();
+        matches_[k].deviceIndex = claimed[k].front();
         matches_[k].basis = basis;
         taken_[claimed[k].front()] = true;
       }
@@ -67,8 +67,8 @@ public:
 
   std::vector<DeviceMatch> finished() {
     for (std::size_t k = 0; k < identities_.size(); ++k) {
-      if (!matches_[k].device) {
-        matches_[k].candidates =
+      if (!matches_[k].deviceIndex) {
+        matches_[k].candidateIndices =
             fitting(k, [](const DeviceIdentity& wanted, const DeviceIdentity& present) {
               return isKnownModel(wanted, present) || isAtSameBus(wanted, present);
             });
@@ -111,14 +111,14 @@ DeviceMatch matchDevice(const DeviceIdentity& identity, std::span<const CameraDe
 
 std::string mismatchReason(const DeviceMatch& match, const DeviceIdentity& identity,
                            std::span<const CameraDevice> devices) {
-  if (match.device) {
+  if (match.deviceIndex) {
     return {};
   }
   if (match.isMissing()) {
     return fmt::format("{} is not connected", describe(identity));
   }
   std::string names;
-  for (const std::size_t candidate : match.candidates) {
+  for (const std::size_t candidate : match.candidateIndices) {
     names += fmt::format("{}'{}' at {}", names.empty() ? "" : ", ",
                          devices[candidate].identity.name, devices[candidate].path);
   }

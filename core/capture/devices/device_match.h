@@ -18,14 +18,14 @@ enum class MatchBasis { None, Serial, Bus, Name };
 struct DeviceMatch {
   /// Index of the camera's device in the list of connected devices; empty if the device is missing
   /// or ambiguous.
-  std::optional<std::size_t> device;
+  std::optional<std::size_t> deviceIndex;
   MatchBasis basis = MatchBasis::None;
   /// Indices of similar devices, if it is not clear which one belongs to the camera; the user must
   /// choose. Empty if a device was found, or if none is similar.
-  std::vector<std::size_t> candidates;
+  std::vector<std::size_t> candidateIndices;
 
-  bool isAmbiguous() const { return !candidates.empty(); }
-  bool isMissing() const { return !device && candidates.empty(); }
+  bool isAmbiguous() const { return !candidateIndices.empty(); }
+  bool isMissing() const { return !deviceIndex && candidateIndices.empty(); }
 };
 
 /// Finds the connected device of each camera by its identity. Returns one match per identity, in

@@ -103,13 +103,13 @@ void DeviceMonitor::run(const std::shared_ptr<Shared>& shared) {
       return;
     }
     // Before the list: what changes in between is seen at the next time.
-    std::string signature = shared->access->signature();
+    std::string signature = shared->access->deviceListSignature();
     const bool retries = retryIn == 1;
     retryIn = std::max(retryIn - 1, 0);
     std::optional<CameraDevices> devices;
     if (retries || signature != known) {
       known = std::move(signature);
-      devices = shared->access->list();
+      devices = shared->access->listDevices();
       retryIn = hasUnusable(*devices) ? kRetryIntervals : 0;
     }
     if (!shared->setAsking(false)) {

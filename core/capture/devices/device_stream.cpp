@@ -29,7 +29,7 @@ public:
 
   OpenResult open() override {
     LiveCamera found = camera_;
-    remark_.clear();
+    warning_.clear();
     if (auto resolved = resolve(found); !resolved) {
       return resolved;
     }
@@ -52,7 +52,7 @@ public:
   }
   std::string lostReason() const override { return stream_ ? stream_->lostReason() : ""; }
   bool hasEnded() const override { return stream_ && stream_->hasEnded(); }
-  std::string remark() const override { return remark_; }
+  std::string warning() const override { return warning_; }
 
 private:
   /// Gives the camera the location that its device has now.
@@ -61,19 +61,19 @@ private:
     if (settings.identity.isEmpty() && settings.format == DeviceFormat{}) {
       return {};
     }
-    const std::vector<CameraDevice> devices = lookup_.access->list();
+    const std::vector<CameraDevice> devices = lookup_.access->listDevices();
     if (settings.identity.isEmpty()) {
       const auto device = std::ranges::find_if(devices, [&](const CameraDevice& one) {
-        return one.path == nodePath(camera.location) || one.address == camera.location;
+        return one.path == nodePath(camera.location) || one.stablePath == camera.location;
       });
       return device == devices.end() ? OpenResult() : check(*device);
     }
     const DeviceMatch match = matchDevices(lookup_.identities, devices).at(lookup_.cameraIndex);
-    if (!match.device) {
+    if (!match.deviceIndex) {
       return tl::make_unexpected(mismatchReason(match, settings.identity, devices));
     }
-    camera.location = devices[*match.device].path;
-    return check(devices[*match.device]);
+    camera.location = devices[*match.deviceIndex].path;
+    return check(devices[*match.deviceIndex]);
   }
 
   /// Whether the node at `path` now belongs to another device than that of this camera. Nodes are
@@ -82,12 +82,13 @@ private:
     if (camera_.device.identity.isEmpty()) {
       return false;
     }
-    const std::vector<CameraDevice> devices = lookup_.access->list();
+    const std::vector<CameraDevice> devices = lookup_.access->listDevices();
     const auto there = std::ranges::find(devices, path, &CameraDevice::path);
     if (there == devices.end() || !there->problem.empty()) {
       return false; // unplugged, which reading will tell, or in use by this very connection
     }
-    const auto device = matchDevices(lookup_.identities, devices).at(lookup_.cameraIndex).device;
+    const auto device =
+        matchDevices(lookup_.identities, devices).at(lookup_.cameraIndex).deviceIndex;
     return device != static_cast<std::size_t>(there - devices.begin());
   }
 
@@ -107,8 +108,8 @@ private:
 
   void setControls(const std::string& path) {
     for (const Error& error : applyControls(*lookup_.access, path, camera_.device.controls)) {
-      remark_ += fmt::format("{}{}: {}", remark_.empty() ? "controls were not set: " : "; ",
-                             error.field, error.detail);
+      warning_ += fmt::format("{}{}: {}", warning_.empty() ? "controls were not set: " : "; ",
+                              error.field, error.detail);
     }
   }
 
@@ -116,7 +117,7 @@ private:
   DeviceLookup lookup_;
   LiveStreamFactory makeStream_;
   LiveStreamPtr stream_;
-  std::string remark_;
+  std::string warning_;
 };
 
 } // namespace

@@ -22,8 +22,8 @@ struct DeviceLookup {
 /// Creates a connection that finds its device each time it is opened. open() finds the device by
 /// its identity, connects to it with `makeStream`, and sets the stored controls. For a camera
 /// without an identity, open() uses the camera's location. open() fails if the device is missing or
-/// ambiguous, or does not offer the requested format. remark() reports the controls that the device
-/// refused.
+/// ambiguous, or does not offer the requested format. warning() reports the controls that the
+/// device refused.
 LiveStreamPtr makeDeviceStream(const LiveCamera& camera, DeviceLookup lookup,
                                LiveStreamFactory makeStream);
 

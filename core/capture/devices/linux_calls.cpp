@@ -17,7 +17,7 @@ public:
     return descriptor < 0 ? -errno : descriptor;
   }
   void close(int descriptor) override { ::close(descriptor); }
-  int control(int descriptor, unsigned long request, void* argument) override {
+  int callIoctl(int descriptor, unsigned long request, void* argument) override {
     int result = 0;
     do {
       result = ::ioctl(descriptor, request, argument);

@@ -18,7 +18,7 @@ public:
   virtual void close(int descriptor) = 0;
   /// Calls ioctl() with one of the requests VIDIOC_...; repeats the call if a signal interrupts it.
   /// Returns 0 or the negative error number.
-  virtual int control(int descriptor, unsigned long request, void* argument) = 0;
+  virtual int callIoctl(int descriptor, unsigned long request, void* argument) = 0;
 };
 
 using LinuxCallsPtr = std::shared_ptr<LinuxCalls>;
@@ -42,8 +42,8 @@ public:
   /// Returns 0, or the error number of the failed attempt to open the node.
   int openError() const { return descriptor_ < 0 ? -descriptor_ : 0; }
   /// Calls ioctl() for this node. Returns 0 or the error number.
-  template <class Argument> int control(unsigned long request, Argument& argument) {
-    return -calls_->control(descriptor_, request, &argument);
+  template <class Argument> int callIoctl(unsigned long request, Argument& argument) {
+    return -calls_->callIoctl(descriptor_, request, &argument);
   }
 
 private:

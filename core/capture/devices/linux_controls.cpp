@@ -79,7 +79,7 @@ std::vector<QueriedControl> queriedControls(LinuxNode& node) {
   for (int k = 0; k < kMostControls; ++k) {
     v4l2_query_ext_ctrl query{};
     query.id = last | V4L2_CTRL_FLAG_NEXT_CTRL;
-    if (node.control(VIDIOC_QUERY_EXT_CTRL, query) != 0 || query.id <= last) {
+    if (node.callIoctl(VIDIOC_QUERY_EXT_CTRL, query) != 0 || query.id <= last) {
       break;
     }
     last = query.id;
@@ -109,7 +109,7 @@ std::optional<std::int64_t> valueOf(LinuxNode& node, const v4l2_query_ext_ctrl& 
   v4l2_ext_control control{};
   control.id = query.id;
   v4l2_ext_controls all = oneOf(control);
-  if (node.control(VIDIOC_G_EXT_CTRLS, all) != 0) {
+  if (node.callIoctl(VIDIOC_G_EXT_CTRLS, all) != 0) {
     return std::nullopt;
   }
   const std::int64_t wide = control.value64; // copies: the structure is packed
@@ -124,7 +124,7 @@ std::vector<ControlMenuItem> menuOf(LinuxNode& node, const v4l2_query_ext_ctrl& 
     v4l2_querymenu item{};
     item.id = query.id;
     item.index = static_cast<std::uint32_t>(index);
-    if (node.control(VIDIOC_QUERYMENU, item) != 0) {
+    if (node.callIoctl(VIDIOC_QUERYMENU, item) != 0) {
       continue; // the device does not have this one
     }
     const std::int64_t number = item.value; // a copy: the structure is packed
@@ -153,7 +153,7 @@ std::string systemErrorText(int errorNumber) {
   }
 }
 
-std::vector<DeviceControl> linuxControls(LinuxNode& node) {
+std::vector<DeviceControl> readLinuxControls(LinuxNode& node) {
   std::vector<DeviceControl> controls;
   for (const QueriedControl& one : queriedControls(node)) {
     const auto value = valueOf(node, one.query);
@@ -169,10 +169,10 @@ std::vector<DeviceControl> linuxControls(LinuxNode& node) {
     control.step = std::max<std::int64_t>(1, static_cast<std::int64_t>(one.query.step));
     control.defaultValue = one.query.default_value;
     control.value = *value;
-    control.readOnly = (one.query.flags & V4L2_CTRL_FLAG_READ_ONLY) != 0;
-    control.inactive = (one.query.flags & V4L2_CTRL_FLAG_INACTIVE) != 0;
+    control.isReadOnly = (one.query.flags & V4L2_CTRL_FLAG_READ_ONLY) != 0;
+    control.isInactive = (one.query.flags & V4L2_CTRL_FLAG_INACTIVE) != 0;
     if (one.kind == ControlKind::Menu) {
-      control.menu = menuOf(node, one.query);
+      control.menuItems = menuOf(node, one.query);
     }
   }
   return controls;
@@ -198,7 +198,7 @@ Status setLinuxControl(LinuxNode& node, const std::string& path, const std::stri
     control.value = static_cast<std::int32_t>(value);
   }
   v4l2_ext_controls all = oneOf(control);
-  if (const int problem = node.control(VIDIOC_S_EXT_CTRLS, all); problem != 0) {
+  if (const int problem = node.callIoctl(VIDIOC_S_EXT_CTRLS, all); problem != 0) {
     const bool isGone = problem == ENODEV;
     const bool isLocked = problem == EACCES; // read-only, or an automatic has it
     return failure(isGone ? ErrorCode::DeviceUnavailable : ErrorCode::BadValue, path, name,

@@ -12,7 +12,7 @@
 namespace dewpoint::capture {
 
 /// Returns the controls of a V4L2 device whose values can be read: numbers, switches and menus.
-std::vector<DeviceControl> linuxControls(LinuxNode& node);
+std::vector<DeviceControl> readLinuxControls(LinuxNode& node);
 
 /// Sets a control; see DeviceAccess::setControl(). `path` is the path of the device for error
 /// messages.

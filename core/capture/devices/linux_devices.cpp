@@ -55,7 +55,7 @@ bool isCamera(const v4l2_capability& capability) {
 std::optional<CameraDevice> closedDevice(CameraDevice device, const SysfsFacts& facts, int problem,
                                          const std::string& sysfsName) {
   const bool isGone = problem == ENOENT || problem == ENODEV || problem == ENXIO;
-  if (isGone || facts.index != 0) {
+  if (isGone || facts.nodeIndex != 0) {
     return std::nullopt;
   }
   device.identity.name = facts.product.empty() ? sysfsName : facts.product;
@@ -67,24 +67,24 @@ std::optional<CameraDevice> closedDevice(CameraDevice device, const SysfsFacts& 
 
 std::optional<CameraDevice> deviceAt(const fs::path& root, const LinuxCallsPtr& calls,
                                      const std::string& node) {
-  const SysfsFacts facts = sysfsFacts(root, node);
+  const SysfsFacts facts = readSysfsFacts(root, node);
   const std::string byPath = sysfsLinkTarget(root, kByPath, node);
   CameraDevice device;
   device.path = "/dev/" + node;
-  device.address = byPath.empty() ? device.path : fmt::format("/{}/{}", kByPath, byPath);
+  device.stablePath = byPath.empty() ? device.path : fmt::format("/{}/{}", kByPath, byPath);
   device.identity.serial = facts.serial;
   device.identity.vendorAndProductId = facts.vendorAndProductId;
   device.identity.bus = busOf(byPath, {});
-  device.usb = facts.usb;
+  device.usbLink = facts.usbLink;
   LinuxNode opened(calls, (root / "dev" / node).string());
   if (opened.openError() != 0) {
     return closedDevice(std::move(device), facts, opened.openError(), node);
   }
   v4l2_capability capability{};
-  if (opened.control(VIDIOC_QUERYCAP, capability) != 0 || !isCamera(capability)) {
+  if (opened.callIoctl(VIDIOC_QUERYCAP, capability) != 0 || !isCamera(capability)) {
     return std::nullopt;
   }
-  device.formats = linuxFormats(opened);
+  device.formats = readLinuxFormats(opened);
   if (device.formats.empty()) {
     return std::nullopt;
   }
@@ -113,9 +113,9 @@ std::string LinuxDevices::below(const std::string& path) const {
   return (root_ / fs::path(path).relative_path()).string();
 }
 
-std::vector<CameraDevice> LinuxDevices::list() {
+std::vector<CameraDevice> LinuxDevices::listDevices() {
   std::vector<CameraDevice> devices;
-  for (const std::string& node : videoNodes(root_)) {
+  for (const std::string& node : listVideoNodes(root_)) {
     if (auto device = deviceAt(root_, calls_, node)) {
       devices.push_back(std::move(*device));
     }
@@ -126,27 +126,27 @@ std::vector<CameraDevice> LinuxDevices::list() {
     if (!serial.empty() && std::ranges::count_if(devices, others) == 1) {
       const std::string byId =
           sysfsLinkTarget(root_, kById, fs::path(device.path).filename().string());
-      device.address = byId.empty() ? device.address : fmt::format("/{}/{}", kById, byId);
+      device.stablePath = byId.empty() ? device.stablePath : fmt::format("/{}/{}", kById, byId);
     }
   }
   return devices;
 }
 
-std::string LinuxDevices::signature() {
+std::string LinuxDevices::deviceListSignature() {
   std::string text;
-  for (const std::string& node : videoNodes(root_)) {
+  for (const std::string& node : listVideoNodes(root_)) {
     text += fmt::format("{} {} {} {}\n", node, stateOf(root_ / "dev" / node),
                         sysfsLinkTarget(root_, kByPath, node), sysfsLinkTarget(root_, kById, node));
   }
   return text;
 }
 
-Result<std::vector<DeviceControl>> LinuxDevices::controls(const std::string& path) {
+Result<std::vector<DeviceControl>> LinuxDevices::readControls(const std::string& path) {
   LinuxNode node(calls_, below(path));
   if (node.openError() != 0) {
     return failure(ErrorCode::DeviceUnavailable, path, "", systemErrorText(node.openError()));
   }
-  return linuxControls(node);
+  return readLinuxControls(node);
 }
 
 Status LinuxDevices::setControl(const std::string& path, const std::string& name,

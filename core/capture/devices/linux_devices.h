@@ -12,16 +12,16 @@ namespace dewpoint::capture {
 /// from /sys/class/video4linux, and the stable paths from /dev/v4l. Everything else comes from the
 /// drivers.
 ///
-/// list() omits nodes without video capture (metadata, outputs), codecs (M2M), nodes of a media
-/// controller that must first be linked to a sensor (IO_MC), and nodes without any format.
+/// listDevices() omits nodes without video capture (metadata, outputs), codecs (M2M), nodes of a
+/// media controller that must first be linked to a sensor (IO_MC), and nodes without any format.
 class LinuxDevices final : public DeviceAccess {
 public:
   /// `root` is the folder that contains dev and sys. On a running system, this is "/".
   explicit LinuxDevices(std::filesystem::path root = "/", LinuxCallsPtr calls = linuxCalls());
 
-  std::vector<CameraDevice> list() override;
-  std::string signature() override;
-  Result<std::vector<DeviceControl>> controls(const std::string& path) override;
+  std::vector<CameraDevice> listDevices() override;
+  std::string deviceListSignature() override;
+  Result<std::vector<DeviceControl>> readControls(const std::string& path) override;
   Status setControl(const std::string& path, const std::string& name, std::int64_t value) override;
 
 private:

@@ -50,7 +50,7 @@ std::vector<double> ratesOf(LinuxNode& node, std::uint32_t code, std::uint32_t w
     entry.pixel_format = code;
     entry.width = width;
     entry.height = height;
-    if (node.control(VIDIOC_ENUM_FRAMEINTERVALS, entry) != 0) {
+    if (node.callIoctl(VIDIOC_ENUM_FRAMEINTERVALS, entry) != 0) {
       break;
     }
     if (entry.type == V4L2_FRMIVAL_TYPE_DISCRETE) {
@@ -93,7 +93,7 @@ Sizes sizesOf(LinuxNode& node, std::uint32_t code, bool& hasRange) {
     v4l2_frmsizeenum entry{};
     entry.index = index;
     entry.pixel_format = code;
-    if (node.control(VIDIOC_ENUM_FRAMESIZES, entry) != 0) {
+    if (node.callIoctl(VIDIOC_ENUM_FRAMESIZES, entry) != 0) {
       break;
     }
     if (entry.type != V4L2_FRMSIZE_TYPE_DISCRETE) {
@@ -111,13 +111,13 @@ Sizes sizesOf(LinuxNode& node, std::uint32_t code, bool& hasRange) {
 
 } // namespace
 
-std::vector<OfferedFormat> linuxFormats(LinuxNode& node) {
+std::vector<OfferedFormat> readLinuxFormats(LinuxNode& node) {
   std::vector<OfferedFormat> formats;
   for (std::uint32_t index = 0; index < kMostEntries; ++index) {
     v4l2_fmtdesc entry{};
     entry.index = index;
     entry.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-    if (node.control(VIDIOC_ENUM_FMT, entry) != 0) {
+    if (node.callIoctl(VIDIOC_ENUM_FMT, entry) != 0) {
       break;
     }
     OfferedFormat& format = formats.emplace_back();

@@ -10,6 +10,6 @@ namespace dewpoint::capture {
 
 /// Returns the formats of a V4L2 capture device, in the driver's order. If the driver accepts a
 /// range of sizes or rates, returns the two ends of the range and the common values in it.
-std::vector<OfferedFormat> linuxFormats(LinuxNode& node);
+std::vector<OfferedFormat> readLinuxFormats(LinuxNode& node);
 
 } // namespace dewpoint::capture

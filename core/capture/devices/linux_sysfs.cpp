@@ -43,7 +43,7 @@ template <class Visit> void eachEntry(const fs::path& folder, const Visit& visit
 
 } // namespace
 
-std::vector<std::string> videoNodes(const fs::path& root) {
+std::vector<std::string> listVideoNodes(const fs::path& root) {
   std::vector<std::string> nodes;
   eachEntry(root / "sys/class/video4linux", [&](const fs::path& entry) {
     if (numberOf(entry.filename().string())) {
@@ -54,10 +54,10 @@ std::vector<std::string> videoNodes(const fs::path& root) {
   return nodes;
 }
 
-SysfsFacts sysfsFacts(const fs::path& root, const std::string& node) {
+SysfsFacts readSysfsFacts(const fs::path& root, const std::string& node) {
   SysfsFacts facts;
   const fs::path entry = root / "sys/class/video4linux" / node;
-  facts.index = toNumber<int>(attribute(entry / "index")).value_or(0);
+  facts.nodeIndex = toNumber<int>(attribute(entry / "index")).value_or(0);
   std::error_code problem;
   const fs::path interface = fs::canonical(entry / "device", problem);
   if (problem) {
@@ -70,14 +70,14 @@ SysfsFacts sysfsFacts(const fs::path& root, const std::string& node) {
       facts.vendorAndProductId = attribute(up / "idVendor") + ":" + attribute(up / "idProduct");
       facts.product = attribute(up / "product");
       facts.serial = attribute(up / "serial");
-      facts.usb.bus = toNumber<int>(attribute(up / "busnum")).value_or(0);
-      facts.usb.deviceMbitPerSecond = toNumber<double>(attribute(up / "speed")).value_or(0.0);
-      facts.usb.busMbitPerSecond = facts.usb.deviceMbitPerSecond;
+      facts.usbLink.busNumber = toNumber<int>(attribute(up / "busnum")).value_or(0);
+      facts.usbLink.deviceMbitPerSecond = toNumber<double>(attribute(up / "speed")).value_or(0.0);
+      facts.usbLink.busMbitPerSecond = facts.usbLink.deviceMbitPerSecond;
       hub = "usb" + attribute(up / "busnum");
     }
     if (!hub.empty() && up.filename() == hub) {
-      facts.usb.busMbitPerSecond =
-          toNumber<double>(attribute(up / "speed")).value_or(facts.usb.busMbitPerSecond);
+      facts.usbLink.busMbitPerSecond =
+          toNumber<double>(attribute(up / "speed")).value_or(facts.usbLink.busMbitPerSecond);
       break;
     }
   }

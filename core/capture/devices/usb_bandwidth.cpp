@@ -42,7 +42,7 @@ double areaOf(const DeviceFormat& format) {
 }
 
 double rateOrUsual(const DeviceFormat& format) {
-  return format.rate > 0.0 ? format.rate : kUnknownRate;
+  return format.frameRate > 0.0 ? format.frameRate : kUnknownRate;
 }
 
 /// All that a device offers and that is not more than requested.
@@ -50,7 +50,7 @@ std::vector<Choice> choicesOf(const CameraDevice& device, const DeviceFormat& re
   std::vector<Choice> choices;
   for (const OfferedFormat& format : device.formats) {
     for (const OfferedSize& size : format.sizes) {
-      for (const double rate : size.rates) {
+      for (const double rate : size.frameRates) {
         const DeviceFormat one{format.pixelFormat, size.width, size.height, rate};
         const bool isMore = areaOf(one) > areaOf(requested) || rate > rateOrUsual(requested) + 0.01;
         const bool isSlow = rate < std::min(kLowestRate, rateOrUsual(requested));
@@ -68,7 +68,7 @@ std::vector<Choice> choicesOf(const CameraDevice& device, const DeviceFormat& re
 std::optional<DeviceFormat> lighter(const std::vector<Choice>& choices, double bits) {
   const Choice* best = nullptr;
   const auto rank = [](const Choice& one) {
-    return std::tuple(areaOf(one.format), one.format.rate, one.isCompressed, one.bits);
+    return std::tuple(areaOf(one.format), one.format.frameRate, one.isCompressed, one.bits);
   };
   for (const Choice& one : choices) {
     if (one.bits < bits && (best == nullptr || rank(one) > rank(*best))) {
@@ -138,7 +138,7 @@ std::vector<BandwidthProposal> proposalsFor(std::vector<Load> loads, double avai
       proposals.push_back({load.request, load.format});
     }
   }
-  std::ranges::sort(proposals, {}, &BandwidthProposal::request);
+  std::ranges::sort(proposals, {}, &BandwidthProposal::requestIndex);
   return proposals;
 }
 
@@ -151,23 +151,23 @@ double bitsPerSecond(const DeviceFormat& format) {
          (known == kPixelBits.end() ? kRawBits : known->second);
 }
 
-std::vector<BandwidthShortage> bandwidthShortages(std::span<const BandwidthRequest> requests) {
+std::vector<BandwidthShortage> findBandwidthShortages(std::span<const BandwidthRequest> requests) {
   constexpr double kMega = 1e6;
   std::map<int, std::vector<Load>> buses;
   std::map<int, double> available;
   for (std::size_t k = 0; k < requests.size(); ++k) {
     const auto& [device, format] = requests[k];
-    if (device.usb.bus == 0 || device.usb.busMbitPerSecond <= 0.0) {
+    if (device.usbLink.busNumber == 0 || device.usbLink.busMbitPerSecond <= 0.0) {
       continue;
     }
     Load load;
     load.request = k;
     load.format = completedFormat(format, device.formats);
     load.bits = bitsPerSecond(load.format);
-    load.own = kUsableShare * kMega * device.usb.deviceMbitPerSecond;
+    load.own = kUsableShare * kMega * device.usbLink.deviceMbitPerSecond;
     load.choices = choicesOf(device, load.format);
-    buses[device.usb.bus].push_back(std::move(load));
-    available[device.usb.bus] = kUsableShare * kMega * device.usb.busMbitPerSecond;
+    buses[device.usbLink.busNumber].push_back(std::move(load));
+    available[device.usbLink.busNumber] = kUsableShare * kMega * device.usbLink.busMbitPerSecond;
   }
   std::vector<BandwidthShortage> shortages;
   for (const auto& [bus, loads] : buses) {
@@ -175,11 +175,11 @@ std::vector<BandwidthShortage> bandwidthShortages(std::span<const BandwidthReque
       continue;
     }
     BandwidthShortage& shortage = shortages.emplace_back();
-    shortage.bus = bus;
+    shortage.busNumber = bus;
     shortage.neededBitsPerSecond = sumOf(loads);
     shortage.availableBitsPerSecond = available[bus];
     for (const Load& load : loads) {
-      shortage.requests.push_back(load.request);
+      shortage.requestIndices.push_back(load.request);
     }
     shortage.proposals = proposalsFor(loads, available[bus]);
   }

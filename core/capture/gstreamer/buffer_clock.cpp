@@ -22,8 +22,8 @@ CaptureInstant BufferClock::later(Clock::time_point time, TimeOrigin origin) {
   return {*last_, origin};
 }
 
-CaptureInstant BufferClock::next(std::optional<Clock::time_point> stamp,
-                                 Clock::time_point arrival) {
+CaptureInstant BufferClock::nextCaptureInstant(std::optional<Clock::time_point> stamp,
+                                               Clock::time_point arrival) {
   const bool isGood = stamp && *stamp <= arrival + kFutureTolerance &&
                       *stamp >= arrival - kLongestLatency && (!lastStamp_ || *stamp > *lastStamp_);
   if (!isGood) {

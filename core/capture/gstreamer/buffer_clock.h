@@ -23,7 +23,8 @@ public:
 
   /// Returns the capture time of the next image. `stamp`: time stamp of the image by the steady
   /// clock, if it has one. `arrival`: time at which the image arrived.
-  CaptureInstant next(std::optional<Clock::time_point> stamp, Clock::time_point arrival);
+  CaptureInstant nextCaptureInstant(std::optional<Clock::time_point> stamp,
+                                    Clock::time_point arrival);
 
 private:
   CaptureInstant later(Clock::time_point time, TimeOrigin origin);

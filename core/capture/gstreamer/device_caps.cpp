@@ -59,10 +59,10 @@ std::string formatCaps(const DeviceFormat& format, const std::vector<std::string
   const std::string size =
       format.width > 0 ? fmt::format(",width={},height={}", format.width, format.height) : "";
   std::vector<std::string> rates{""};
-  if (format.rate > 0.0) {
-    rates = {",framerate=" + rateFraction(format.rate),
-             fmt::format(",framerate=[{}/1000,{}/1000]", std::lround(format.rate * 990.0),
-                         std::lround(format.rate * 1010.0))};
+  if (format.frameRate > 0.0) {
+    rates = {",framerate=" + rateFraction(format.frameRate),
+             fmt::format(",framerate=[{}/1000,{}/1000]", std::lround(format.frameRate * 990.0),
+                         std::lround(format.frameRate * 1010.0))};
   }
   std::vector<std::string> caps;
   for (const std::string& rate : rates) {

@@ -40,7 +40,7 @@ void EncodedFeed::connect(Receiver receiver) {
 void EncodedFeed::setPreRoll(const PreRollLimits& limits) {
   std::scoped_lock lock(mutex_);
   preRoll_.reset();
-  if (limits.length.count() > 0.0) {
+  if (limits.duration.count() > 0.0) {
     preRoll_.emplace(limits);
   }
 }
@@ -53,7 +53,7 @@ PreRollStatus EncodedFeed::preRoll() const {
 std::optional<EncodedFeed::Clock::time_point> EncodedFeed::preRollBegin() const {
   std::scoped_lock lock(mutex_);
   const bool hasAny = preRoll_ && !preRoll_->images().empty();
-  return hasAny ? std::optional(preRoll_->images().front().captured.time) : std::nullopt;
+  return hasAny ? std::optional(preRoll_->images().front().captureInstant.time) : std::nullopt;
 }
 
 void EncodedFeed::disconnect() {

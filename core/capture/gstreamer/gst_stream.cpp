@@ -126,8 +126,8 @@ struct GstStream::EncodedBranch {
     branch->noteArrival(*sample, arrival);
     if (branch->feed) {
       const auto stamp = stampOf(sample.get(), GST_ELEMENT(sink));
-      CaptureInstant captured = branch->clock.next(stamp, arrival);
-      captured.stamp = identityOf(sample.get());
+      CaptureInstant captured = branch->clock.nextCaptureInstant(stamp, arrival);
+      captured.imageId = identityOf(sample.get());
       branch->feed->put({sample, captured});
     }
     return GST_FLOW_OK;
@@ -141,12 +141,13 @@ GstStream::GstStream(PipelineText pipeline, EncodedFeedPtr feed)
 
 GstStream::~GstStream() = default;
 
-tl::expected<void, std::string> GstStream::prepare() {
+tl::expected<void, std::string> GstStream::createPipeline() {
   if (pipeline_) {
     return {};
   }
   std::error_code problem;
-  if (!pipelineText_.device.empty() && !std::filesystem::exists(pipelineText_.device, problem)) {
+  if (!pipelineText_.devicePath.empty() &&
+      !std::filesystem::exists(pipelineText_.devicePath, problem)) {
     return tl::make_unexpected(std::string("no such device is plugged in"));
   }
   std::string reason;
@@ -178,7 +179,7 @@ tl::expected<void, std::string> GstStream::prepare() {
 }
 
 tl::expected<void, std::string> GstStream::open() {
-  if (auto prepared = prepare(); !prepared) {
+  if (auto prepared = createPipeline(); !prepared) {
     return prepared;
   }
   branch_->lastData = Clock::now().time_since_epoch().count();
@@ -243,8 +244,8 @@ GstSamplePtr GstStream::pull(Clock::duration patience) {
 void GstStream::take(GstSamplePtr sample) {
   sample_ = std::move(sample);
   const auto now = Clock::now();
-  captured_ = clock_.next(stampOf(sample_.get(), imageSink_), now);
-  captured_->stamp = identityOf(sample_.get());
+  captured_ = clock_.nextCaptureInstant(stampOf(sample_.get(), imageSink_), now);
+  captured_->imageId = identityOf(sample_.get());
   const auto arrived = branch_->arrivalOf(*sample_);
   arrived_ = arrived && *arrived < now ? *arrived : now;
   if (pipelineText_.hasOwnSink && feed_) {

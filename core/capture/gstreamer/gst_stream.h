@@ -31,7 +31,7 @@ public:
   ~GstStream() override;
 
   /// Creates the pipeline without starting it. If this was not called, open() creates the pipeline.
-  tl::expected<void, std::string> prepare();
+  tl::expected<void, std::string> createPipeline();
   tl::expected<void, std::string> open() override;
   bool grab() override;
   cv::Mat retrieve() override;
@@ -42,7 +42,7 @@ public:
   std::string lostReason() const override { return lost_; }
   bool hasEnded() const override { return ended_ && pipelineText_.isFinite; }
 
-  /// Returns the pipeline; null before prepare() or open().
+  /// Returns the pipeline; null before createPipeline() or open().
   _GstElement* pipeline() const { return pipeline_.get(); }
 
 private:

@@ -49,8 +49,8 @@ std::string quotedValue(std::string_view value) {
 }
 
 tl::unexpected<Error> badLocation(const LiveCamera& camera, std::string detail) {
-  return failure(ErrorCode::BadValue, redactedLocation(camera.location), cameraField(camera.name),
-                 std::move(detail));
+  return failure(ErrorCode::BadValue, redactedLocation(camera.location),
+                 quotedCameraName(camera.name), std::move(detail));
 }
 
 /// What follows the source in every pipeline but the user's own with a sink. Audio and other
@@ -106,7 +106,7 @@ Result<PipelineText> devicePipeline(const LiveCamera& camera, const std::string&
       made(fmt::format("v4l2src device={} ! capsfilter caps=\"{}\"", quotedValue(path), *caps),
            TimeOrigin::Driver,
            isInterCoded(pixelFormat) ? kWaitingInterImages : kWaitingIntraImages, {"v4l2src"});
-  pipeline.device = path;
+  pipeline.devicePath = path;
   return pipeline;
 }
 

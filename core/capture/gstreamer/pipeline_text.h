@@ -29,7 +29,7 @@ struct PipelineText {
   /// True if the user specified a pipeline that ends in an appsink. Decoded images then come from
   /// this appsink, and there is no branch for recording.
   bool hasOwnSink = false;
-  std::string device{};                ///< path of the V4L2 device; empty if there is none
+  std::string devicePath{};            ///< path of the V4L2 device; empty if there is none
   bool isFinite = false;               ///< true if the stream ends after a certain number of images
   std::vector<std::string> elements{}; ///< names of the GStreamer elements that the pipeline needs
 };

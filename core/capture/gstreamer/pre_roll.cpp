@@ -27,7 +27,7 @@ EncodedImage copyOf(const EncodedImage& image) {
                                                        gst_sample_get_segment(original), nullptr),
                                         gst_sample_unref);
   gst_buffer_unref(bytes); // the sample keeps it
-  return {copy, image.captured};
+  return {copy, image.captureInstant};
 }
 
 } // namespace
@@ -44,17 +44,17 @@ void PreRoll::add(const EncodedImage& image) {
   bytes_ += bytesOf(image);
   // The oldest image that is needed is the last one that stands for itself before the length.
   const auto begin =
-      image.captured.time -
-      std::chrono::duration_cast<std::chrono::steady_clock::duration>(limits_.length);
+      image.captureInstant.time -
+      std::chrono::duration_cast<std::chrono::steady_clock::duration>(limits_.duration);
   const auto isNeeded = [&] {
     const auto next = std::find_if(images_.begin() + 1, images_.end(), isKeyImage);
-    return next == images_.end() || next->captured.time > begin;
+    return next == images_.end() || next->captureInstant.time > begin;
   };
   while (images_.size() > 1 && !isNeeded()) {
     dropFirstGroup();
     shortened_ = false;
   }
-  while (bytes_ > limits_.bytes) {
+  while (bytes_ > limits_.maxBytes) {
     dropFirstGroup();
     shortened_ = true;
   }
@@ -75,13 +75,13 @@ void PreRoll::clear() {
 
 PreRollStatus PreRoll::status() const {
   PreRollStatus status;
-  status.images = images_.size();
-  status.bytes = bytes_;
+  status.imageCount = images_.size();
+  status.byteCount = bytes_;
   status.isShortened = shortened_;
   if (!images_.empty()) {
-    status.seconds =
-        std::chrono::duration<double>(images_.back().captured.time - images_.front().captured.time)
-            .count();
+    status.spanSeconds = std::chrono::duration<double>(images_.back().captureInstant.time -
+                                                       images_.front().captureInstant.time)
+                             .count();
   }
   return status;
 }

@@ -127,12 +127,12 @@ bool StreamRecording::Writer::hasFailed() const {
 }
 
 bool StreamRecording::Writer::openTable() {
-  auto created = GrowingFile::create(files.times);
+  auto created = GrowingFile::create(files.timesFile);
   const Status begun =
       created ? created->append(fmt::format("{}\nframe,time_s,origin\n", kRecordedTimesHeading))
               : tl::make_unexpected(created.error());
   if (!begun) {
-    setProblem(files.times, begun.error().detail);
+    setProblem(files.timesFile, begun.error().detail);
     return false;
   }
   std::scoped_lock lock(mutex);
@@ -144,9 +144,10 @@ bool StreamRecording::Writer::start(const std::shared_ptr<Writer>& self, GstSamp
   const std::string mediaType = mediaTypeOf(sample);
   std::string reason;
   pipeline = makePipeline(
-      recordingPipelineText(mediaType, raw == RawStorage::Lossless, files.video.string()), reason);
+      recordingPipelineText(mediaType, raw == RawStorage::Lossless, files.videoFile.string()),
+      reason);
   if (!pipeline) {
-    setProblem(files.video,
+    setProblem(files.videoFile,
                fmt::format("a stream of {} cannot be recorded: {}", mediaType, reason));
     return false;
   }
@@ -181,7 +182,7 @@ bool StreamRecording::Writer::start(const std::shared_ptr<Writer>& self, GstSamp
   isInter = isOfSeveralImages(mediaType);
   needsKey = isInter;
   if (gst_element_set_state(pipeline.get(), GST_STATE_PLAYING) == GST_STATE_CHANGE_FAILURE) {
-    setProblem(files.video, "the video cannot be created");
+    setProblem(files.videoFile, "the video cannot be created");
     return false;
   }
   return true;
@@ -202,7 +203,7 @@ bool StreamRecording::Writer::hasRoom(GstClockTime time) const {
 
 void StreamRecording::Writer::receive(const std::shared_ptr<Writer>& self,
                                       const EncodedImage& image) {
-  if (image.captured.time < zero) {
+  if (image.captureInstant.time < zero) {
     return;
   }
   GstBuffer* original = gst_sample_get_buffer(image.sample.get());
@@ -219,7 +220,7 @@ void StreamRecording::Writer::receive(const std::shared_ptr<Writer>& self,
   }
   if (storedFormatOf(*image.sample) != format) {
     setProblem(
-        files.video,
+        files.videoFile,
         fmt::format("the camera's format changed during the recording, images of {} are left "
                     "out",
                     sizeOf(*image.sample)),
@@ -228,7 +229,7 @@ void StreamRecording::Writer::receive(const std::shared_ptr<Writer>& self,
     return;
   }
   GstClockTime time =
-      static_cast<GstClockTime>(std::chrono::nanoseconds(image.captured.time - zero).count());
+      static_cast<GstClockTime>(std::chrono::nanoseconds(image.captureInstant.time - zero).count());
   if ((needsKey && !isKey) || !hasRoom(time)) {
     needsKey = isInter;
     return;
@@ -240,7 +241,7 @@ void StreamRecording::Writer::receive(const std::shared_ptr<Writer>& self,
     constexpr GstClockTime kLeast = 1000;
     time = GST_CLOCK_TIME_IS_VALID(lastPushed) ? std::max(time, lastPushed + kLeast) : time;
     lastPushed = time;
-    waiting.push_back({time, image.captured});
+    waiting.push_back({time, image.captureInstant});
   }
   GstBuffer* buffer = gst_buffer_copy(original); // shares the bytes
   GST_BUFFER_PTS(buffer) = time;
@@ -263,7 +264,7 @@ void StreamRecording::Writer::writeTime(GstClockTime time) {
   std::int64_t stamp = -1;
   while (!waiting.empty() && waiting.front().time <= time) {
     lastOrigin = waiting.front().captured.origin;
-    stamp = waiting.front().captured.stamp;
+    stamp = waiting.front().captured.imageId;
     waiting.pop_front();
   }
   if (!table || isBroken()) {
@@ -275,7 +276,7 @@ void StreamRecording::Writer::writeTime(GstClockTime time) {
                                 timeOriginName(lastOrigin)));
   if (!appended) {
     lock.unlock();
-    setProblem(files.times, appended.error().detail);
+    setProblem(files.timesFile, appended.error().detail);
     return;
   }
   ++written;
@@ -288,7 +289,7 @@ void StreamRecording::Writer::writeTime(GstClockTime time) {
 GstBusSyncReply StreamRecording::Writer::onMessage(GstBus*, GstMessage* message, gpointer data) {
   auto& writer = **static_cast<std::shared_ptr<Writer>*>(data);
   if (GST_MESSAGE_TYPE(message) == GST_MESSAGE_ERROR) {
-    writer.setProblem(writer.files.video, gstMessageErrorText(message));
+    writer.setProblem(writer.files.videoFile, gstMessageErrorText(message));
   } else if (GST_MESSAGE_TYPE(message) == GST_MESSAGE_EOS) {
     std::scoped_lock lock(writer.mutex);
     writer.hasEnded = true;
@@ -320,7 +321,7 @@ void StreamRecording::Writer::finish() {
   table.reset();
   lock.unlock();
   if (!closed) {
-    setProblem(files.times, closed.error().detail);
+    setProblem(files.timesFile, closed.error().detail);
   }
 }
 
@@ -345,9 +346,9 @@ RecordedCounts StreamRecording::counts() const {
   RecordedCounts counts;
   std::scoped_lock lock(writer_->mutex);
   const Writer& writer = *writer_;
-  counts.images = writer.written;
+  counts.imageCount = writer.written;
   counts.preRollImageCount = writer.preRoll;
-  counts.arePixelsChanged = writer.isChanged;
+  counts.hasChangedPixels = writer.isChanged;
   counts.droppedImageCount = writer.received - writer.written -
                              (stopped_ || writer.isBroken() // what waited is lost
                                   ? 0
@@ -359,12 +360,12 @@ RecordedCounts StreamRecording::counts() const {
   counts.origin = writer.lastOrigin;
   counts.problem = writer.problem;
   std::error_code none;
-  const auto size = std::filesystem::file_size(writer.files.video, none);
-  counts.bytes = none ? 0 : static_cast<std::int64_t>(size);
+  const auto size = std::filesystem::file_size(writer.files.videoFile, none);
+  counts.byteCount = none ? 0 : static_cast<std::int64_t>(size);
   return counts;
 }
 
-std::vector<std::int64_t> StreamRecording::stamps() const {
+std::vector<std::int64_t> StreamRecording::imageStamps() const {
   std::scoped_lock lock(writer_->mutex);
   return writer_->stamps;
 }

@@ -24,18 +24,18 @@ enum class RawStorage {
 
 /// Files of the recording of one camera.
 struct StreamFiles {
-  std::filesystem::path video; ///< video file in Matroska format (.mkv)
-  std::filesystem::path times; ///< file with the table of capture times (.csv)
+  std::filesystem::path videoFile; ///< video file in Matroska format (.mkv)
+  std::filesystem::path timesFile; ///< file with the table of capture times (.csv)
 };
 
 /// Progress of a recording.
 struct RecordedCounts {
-  std::int64_t images = 0; ///< number of images in the files
+  std::int64_t imageCount = 0; ///< number of images in the files
   /// Number of these images that were captured before the start of the recording.
   std::int64_t preRollImageCount = 0;
   std::int64_t droppedImageCount =
-      0;                  ///< number of images that were received, but are not in the files
-  std::int64_t bytes = 0; ///< size of the video file
+      0;                      ///< number of images that were received, but are not in the files
+  std::int64_t byteCount = 0; ///< size of the video file
   /// Images per second, computed from the capture times of the first and the last image; 0 before
   /// the second image.
   double framesPerSecond = 0.0;
@@ -43,7 +43,7 @@ struct RecordedCounts {
   TimeOrigin origin = TimeOrigin::Arrival;
   /// True if the stored pixels differ from the received ones, for example because of
   /// RawStorage::Jpeg.
-  bool arePixelsChanged = false;
+  bool hasChangedPixels = false;
   /// Reason why images are missing, for example a full disk. Images that were written before can be
   /// read.
   std::optional<Error> problem;
@@ -76,8 +76,8 @@ public:
   /// Returns the progress of the recording. Thread-safe.
   RecordedCounts counts() const;
   /// Returns, for each image in the video, the number that identified it in the live stream
-  /// (CaptureInstant::stamp). Thread-safe.
-  std::vector<std::int64_t> stamps() const;
+  /// (CaptureInstant::imageId). Thread-safe.
+  std::vector<std::int64_t> imageStamps() const;
   /// Ends the recording in less than 1 s, and completes the files: writes the index of the video
   /// and the last line of the table. Images that cannot be written in this time are dropped.
   void stop();

@@ -13,9 +13,9 @@ namespace dewpoint::color {
 
 void ColorLikelihood::Bounds::include(int value) {
   const auto one = static_cast<std::int16_t>(value);
-  const bool isFirst = least > most;
-  least = isFirst ? one : std::min(least, one);
-  most = isFirst ? one : std::max(most, one);
+  const bool isFirst = lowest > highest;
+  lowest = isFirst ? one : std::min(lowest, one);
+  highest = isFirst ? one : std::max(highest, one);
 }
 
 ColorLikelihood::ColorLikelihood(const std::vector<double>& logRatios) {
@@ -24,8 +24,8 @@ ColorLikelihood::ColorLikelihood(const std::vector<double>& logRatios) {
   for (std::size_t cell = 0; cell < kColorCellCount; ++cell) {
     assert(std::isfinite(logRatios[cell]));
     const double bounded = std::clamp(logRatios[cell], -kMaxLogRatio, kMaxLogRatio);
-    (*steps)[cell] = static_cast<std::int8_t>(std::lround(bounded / kStep));
-    if ((*steps)[cell] > -kMaxSteps) {
+    (*steps)[cell] = static_cast<std::int8_t>(std::lround(bounded / kLogRatioStep));
+    if ((*steps)[cell] > -kMaxLogRatioSteps) {
       const auto coordinates =
           boundedCoordinates(static_cast<int>(cell >> 10U), static_cast<int>((cell >> 5U) & 31U),
                              static_cast<int>(cell & 31U));
@@ -37,7 +37,7 @@ ColorLikelihood::ColorLikelihood(const std::vector<double>& logRatios) {
   steps_ = steps;
 }
 
-/// ColorLikelihood::logRatioRow(). Cells and whether any is in reach are found side by side;
+/// ColorLikelihood::computeLogRatioRow(). Cells and whether any is in reach are found side by side;
 /// looking cells up, one by one, takes most of the time.
 struct LogRatioKernel {
   /// Pixels: short, so that runs without the target are frequent, yet many registers wide.
@@ -47,7 +47,7 @@ struct LogRatioKernel {
     std::int16_t least, most;
 
     explicit Beyond(const ColorLikelihood::Bounds& bounds)
-        : least(bounds.least), most(bounds.most) {}
+        : least(bounds.lowest), most(bounds.highest) {}
 
     /// Negative outside the bounds.
     [[gnu::always_inline]] std::int16_t operator()(std::int16_t value) const {
@@ -89,15 +89,15 @@ struct LogRatioKernel {
           out[begin + i] = steps[cells[i]];
         }
       } else {
-        std::memset(out + begin, static_cast<std::uint8_t>(-ColorLikelihood::kMaxSteps),
+        std::memset(out + begin, static_cast<std::uint8_t>(-ColorLikelihood::kMaxLogRatioSteps),
                     static_cast<std::size_t>(length));
       }
     }
   }
 };
 
-void ColorLikelihood::logRatioRow(const std::uint8_t* bgr, std::int64_t count,
-                                  std::int8_t* out) const noexcept {
+void ColorLikelihood::computeLogRatioRow(const std::uint8_t* bgr, std::int64_t count,
+                                         std::int8_t* out) const noexcept {
   runKernel<LogRatioKernel>(this, bgr, count, out);
 }
 
@@ -106,11 +106,11 @@ void ColorLikelihood::matchRow(const std::uint8_t* bgr, std::int64_t count, std:
   constexpr std::int64_t kBuffer = 1024; // pixels, a small part of the cache
   // A whole number exceeds the threshold where it exceeds the whole number below.
   const auto most =
-      static_cast<std::int8_t>(std::clamp(std::floor(threshold / kStep), -128.0, 127.0));
+      static_cast<std::int8_t>(std::clamp(std::floor(threshold / kLogRatioStep), -128.0, 127.0));
   std::array<std::int8_t, kBuffer> steps;
   for (std::int64_t begin = 0; begin < count; begin += kBuffer) {
     const std::int64_t length = std::min(kBuffer, count - begin);
-    logRatioRow(bgr + 3 * begin, length, steps.data());
+    computeLogRatioRow(bgr + 3 * begin, length, steps.data());
     for (std::int64_t i = 0; i < length; ++i) {
       out[begin + i] = steps[static_cast<std::size_t>(i)] > most ? 255 : 0;
     }

@@ -17,32 +17,34 @@ class ColorLikelihood {
 public:
   /// Step size of table entries, in nats (units of the natural logarithm). It is a power of two,
   /// and smaller than the error of any learned table.
-  static constexpr double kStep = 1.0 / 16.0;
+  static constexpr double kLogRatioStep = 1.0 / 16.0;
   /// Largest absolute log ratio of a color, in steps. 72 steps are 4.5 nats, which is ln(0.9 /
   /// 0.01). The assumption is that nine in ten target pixels have the target's color, and that one
   /// in a hundred of all other pixels has this color by chance. For a matching pixel,
   /// core/observation/sphere/sphere_evidence.cpp uses the same values.
-  static constexpr int kMaxSteps = 72;
+  static constexpr int kMaxLogRatioSteps = 72;
   /// Largest absolute log ratio of a color, nats.
-  static constexpr double kMaxLogRatio = kMaxSteps * kStep;
+  static constexpr double kMaxLogRatio = kMaxLogRatioSteps * kLogRatioStep;
 
   /// Creates a table from the log ratio of each cell in nats: kColorCellCount finite numbers. The
   /// numbers are rounded to steps and clamped to [-kMaxLogRatio, kMaxLogRatio].
   explicit ColorLikelihood(const std::vector<double>& logRatios);
 
-  /// Returns the log likelihood ratio of a color, in steps of kStep.
-  std::int8_t at(std::uint8_t blue, std::uint8_t green, std::uint8_t red) const noexcept {
+  /// Returns the log likelihood ratio of a color, in steps of kLogRatioStep.
+  std::int8_t logRatioSteps(std::uint8_t blue, std::uint8_t green,
+                            std::uint8_t red) const noexcept {
     return (*steps_)[colorCell(blue, green, red)];
   }
   /// Returns the log likelihood ratio of a color, in nats (units of the natural logarithm).
   double logRatio(std::uint8_t blue, std::uint8_t green, std::uint8_t red) const noexcept {
-    return kStep * at(blue, green, red);
+    return kLogRatioStep * logRatioSteps(blue, green, red);
   }
 
-  /// Computes the log likelihood ratio, in steps of kStep, of `count` adjacent pixels of three
-  /// bytes (blue, green, red). `out` must not overlap the pixels. Runs of pixels that cannot belong
-  /// to the target are skipped without a table lookup.
-  void logRatioRow(const std::uint8_t* bgr, std::int64_t count, std::int8_t* out) const noexcept;
+  /// Computes the log likelihood ratio, in steps of kLogRatioStep, of `count` adjacent pixels of
+  /// three bytes (blue, green, red). `out` must not overlap the pixels. Runs of pixels that cannot
+  /// belong to the target are skipped without a table lookup.
+  void computeLogRatioRow(const std::uint8_t* bgr, std::int64_t count,
+                          std::int8_t* out) const noexcept;
   /// Classifies `count` adjacent pixels like ColorClassifier::matchRow(). Writes 255 where the log
   /// ratio exceeds `threshold` (nats), and 0 elsewhere.
   void matchRow(const std::uint8_t* bgr, std::int64_t count, std::uint8_t* out,
@@ -56,8 +58,8 @@ private:
 
   /// Inclusive bounds, in cells.
   struct Bounds {
-    std::int16_t least = 1; ///< if above `most`, the interval is empty
-    std::int16_t most = 0;
+    std::int16_t lowest = 1; ///< if above `highest`, the interval is empty
+    std::int16_t highest = 0;
 
     void include(int value);
   };

@@ -81,8 +81,8 @@ ColorLikelihood OtherCameraLikelihood::likelihoodForImage(const cv::Mat& bgr,
   return ColorLikelihood(logRatios(bgr, near, cv::Mat::zeros(bgr.size(), CV_8UC1)));
 }
 
-double OtherCameraLikelihood::meanLogRatio(const cv::Mat& bgr, const cv::Mat& near,
-                                           const cv::Mat& region) const {
+double OtherCameraLikelihood::meanLogLikelihoodRatio(const cv::Mat& bgr, const cv::Mat& near,
+                                                     const cv::Mat& region) const {
   const std::vector<double> table = logRatios(bgr, near, region);
   double sum = 0.0;
   int count = 0;

@@ -32,7 +32,8 @@ public:
   /// in nats. The density of the target comes from the other camera. The density of everything else
   /// is estimated from the pixels of `bgr` outside `region`. `near` is as for likelihoodForImage().
   /// `region` is CV_8UC1 of the size of the image, 255 inside.
-  double meanLogRatio(const cv::Mat& bgr, const cv::Mat& near, const cv::Mat& region) const;
+  double meanLogLikelihoodRatio(const cv::Mat& bgr, const cv::Mat& near,
+                                const cv::Mat& region) const;
 
 private:
   std::vector<double> logRatios(const cv::Mat& bgr, const cv::Mat& near,

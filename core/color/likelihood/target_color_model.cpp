@@ -99,7 +99,7 @@ double trustIn(double targetPixels, double restPixels) {
   const bool bothSeen = targetPixels > 0.0 && restPixels > 0.0;
   const double pixels =
       bothSeen ? std::min(targetPixels, restPixels) : std::max(targetPixels, restPixels);
-  return pixels / (pixels + TargetColorModel::kPriorPixels);
+  return pixels / (pixels + TargetColorModel::kPriorPixelCount);
 }
 
 } // namespace
@@ -170,7 +170,7 @@ ColorLikelihood TargetColorModel::likelihoodForCamera(const ColorGain& gain,
   return ColorLikelihood(logRatios);
 }
 
-double pixelRatio(const ColorEvidence& evidence) {
+double restPixelsPerTargetPixel(const ColorEvidence& evidence) {
   const bool both = evidence.targetWeight > 0.0 && evidence.restWeight > 0.0;
   return both ? evidence.restWeight / evidence.targetWeight : 1.0;
 }
@@ -178,8 +178,8 @@ double pixelRatio(const ColorEvidence& evidence) {
 ColorLikelihood learnLikelihood(const ColorEvidence& evidence, const ColorRange& range,
                                 double restPerTarget) {
   TargetColorModel model(range);
-  model.add(evidence.target);
-  return model.likelihoodForCamera({}, evidence.rest, restPerTarget);
+  model.add(evidence.targetColors);
+  return model.likelihoodForCamera({}, evidence.restColors, restPerTarget);
 }
 
 } // namespace dewpoint::color

@@ -46,7 +46,7 @@ public:
   static constexpr double kPriorLogRatio = 1.0;
   /// Number of observed pixels that count as much as the prior, which is the range that the user
   /// sees and edits.
-  static constexpr double kPriorPixels = 20.0;
+  static constexpr double kPriorPixelCount = 20.0;
   /// Density u in the formula of this class, as a multiple of the density of evenly spread colors.
   /// A color counts as never seen, and its value is about the prior, where both its density t in
   /// the target and k times its density r in the rest are much smaller than u.
@@ -73,9 +73,9 @@ public:
   /// in front of `rest` (the colors in the camera's own images; weights are in pixels).
   /// `restPerTarget` > 0 is the number of pixels of the rest that compete with one target pixel. If
   /// it is 1, the table is a likelihood ratio, for callers that know the probability of a target at
-  /// a position from another source. If it is pixelRatio(), the log ratio is 0 for colors with as
-  /// many pixels in the target as in the rest, consistent with the weights in fitRange(). Use
-  /// pixelRatio() to segment whole images.
+  /// a position from another source. If it is restPixelsPerTargetPixel(), the log ratio is 0 for
+  /// colors with as many pixels in the target as in the rest, consistent with the weights in
+  /// fitRange(). Use restPixelsPerTargetPixel() to segment whole images.
   ColorLikelihood likelihoodForCamera(const ColorGain& gain,
                                       const std::vector<WeightedHsiColor>& rest,
                                       double restPerTarget = 1.0) const;
@@ -88,7 +88,7 @@ private:
 
 /// Returns the number of pixels of the rest (everything except the target) per target pixel.
 /// Returns 1 if the target or the rest has no pixels.
-double pixelRatio(const ColorEvidence& evidence);
+double restPixelsPerTargetPixel(const ColorEvidence& evidence);
 
 /// Learns the table of log likelihood ratios for one camera, or for several with the same color
 /// response, from evidence. `range` is the prior; for `restPerTarget`, see

@@ -17,7 +17,7 @@ Eigen::Matrix3d covarianceOf(const std::vector<Bearing>& bearings, const Eigen::
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   for (const Bearing& bearing : bearings) {
     const double depth = (point - bearing.ray.origin).norm();
-    const double sigma = kCenterSigmaPx * depth / bearing.focalLength;
+    const double sigma = kCenterSigmaPx * depth / bearing.focalLengthPx;
     information +=
         (Eigen::Matrix3d::Identity() - bearing.ray.direction * bearing.ray.direction.transpose()) /
         (sigma * sigma);
@@ -28,7 +28,7 @@ Eigen::Matrix3d covarianceOf(const std::vector<Bearing>& bearings, const Eigen::
 } // namespace
 
 double Blob::radiusPx() const {
-  return std::sqrt(static_cast<double>(area) / std::numbers::pi);
+  return std::sqrt(static_cast<double>(areaPx) / std::numbers::pi);
 }
 
 std::vector<Blob> findBlobs(const cv::Mat& mask) {
@@ -52,14 +52,14 @@ std::vector<Blob> findBlobs(const cv::Mat& mask) {
     }
   }
   std::ranges::sort(blobs, {}, [](const Blob& blob) {
-    return std::tuple(-blob.area, blob.center.y(), blob.center.x());
+    return std::tuple(-blob.areaPx, blob.center.y(), blob.center.x());
   });
   return blobs;
 }
 
 double residualPx(const Bearing& bearing, const Eigen::Vector3d& point) {
   const double depth = std::max(1e-9, (point - bearing.ray.origin).norm());
-  return bearing.focalLength * distanceToRay(bearing.ray, point) / depth;
+  return bearing.focalLengthPx * distanceToRay(bearing.ray, point) / depth;
 }
 
 std::optional<TriangulatedPoint> triangulate(std::vector<Bearing> bearings) {

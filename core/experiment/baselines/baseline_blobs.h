@@ -16,7 +16,7 @@ namespace dewpoint::experiment {
 /// Connected region of pixels that have the target's color, in the image of one camera.
 struct Blob {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< center of mass, pixels (column, row)
-  int area = 0;                                     ///< area, pixels
+  int areaPx = 0;                                   ///< area, pixels
   cv::Rect box;                                     ///< bounding box
   /// Returns the radius, in pixels, of a disk with the same area as the blob.
   double radiusPx() const;
@@ -35,8 +35,8 @@ struct Bearing {
   std::size_t camera = 0;
   std::size_t blob = 0; ///< index among the camera's blobs
   Ray ray;
-  double focalLength = 1.0; ///< focal length of the camera, pixels
-  double radiusPx = 0.0;    ///< apparent blob radius, pixels; 0 if unknown
+  double focalLengthPx = 1.0; ///< focal length of the camera, pixels
+  double radiusPx = 0.0;      ///< apparent blob radius, pixels; 0 if unknown
 };
 
 /// Position at which the bearings (rays) of at least two cameras almost meet. World frame, meters.

@@ -54,7 +54,7 @@ Result<ParameterValues> parametersFor(const std::string& method, const ScenarioR
     told["start_" + axes[axis]] = start.center[k];
     told["start_half_" + axes[axis]] = start.halfSize[k];
   }
-  if (run.exactSensing) {
+  if (run.isSensingExact) {
     told["calibration_error"] = 0.0;
     told["time_error"] = 0.0;
     told["delay_spread"] = 0.0;

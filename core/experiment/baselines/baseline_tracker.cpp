@@ -124,7 +124,7 @@ void BaselineTracker::measure(const TargetIndices& members, MeasuredPositions& m
   if (open.empty()) {
     return;
   }
-  auto pairs = pairing_.pair(views.blobs, target.radius, members.size());
+  auto pairs = pairing_.pairBlobs(views.blobs, target.radius, members.size());
   for (const std::size_t k : members) {
     if (measured[k]) { // what its followers hold is no other target
       std::erase_if(pairs, [&](const PairedBlobs& pair) {
@@ -161,7 +161,7 @@ BaselineTracker::triangulateFollowers(Tracked& tracked, const ImagesAndBlobs& vi
   for (std::size_t camera = 0; camera < pixels.size(); ++camera) {
     const auto& pixel = pixels[camera];
     const auto bearing =
-        pixel ? pairing_.bearing(camera, 0, pixel->center, pixel->radiusPx) : std::nullopt;
+        pixel ? pairing_.makeBearing(camera, 0, pixel->center, pixel->radiusPx) : std::nullopt;
     if (bearing) {
       bearings.push_back(*bearing);
     }
@@ -234,23 +234,23 @@ void BaselineTracker::updateEstimate(std::size_t target,
   if (setup_.usesKalmanFilter && tracked.filter.isStarted()) {
     tracked.lastPosition = tracked.filter.position();
     estimate.covariance = tracked.filter.covariance();
-    estimate.valid = true;
+    estimate.isValid = true;
   } else if (position && !setup_.usesKalmanFilter) {
     tracked.lastPosition = position->position;
     estimate.covariance = position->covariance;
-    estimate.valid = true;
+    estimate.isValid = true;
   }
   estimate.mean = tracked.lastPosition.value_or(Eigen::Vector3d::Zero());
   estimate.best = estimate.mean;
-  estimate.existenceProbability = estimate.valid ? 1.0 : 0.0;
-  estimate.particleCount = estimate.valid ? 1 : 0;
+  estimate.existenceProbability = estimate.isValid ? 1.0 : 0.0;
+  estimate.particleCount = estimate.isValid ? 1 : 0;
   estimate.effectiveSampleSize = estimate.particleCount;
   estimates_[target] = estimate;
 }
 
 void BaselineTracker::copyParticles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
                                     Eigen::ArrayXd& weights) const {
-  const bool shown = limit > 0 && estimates_.at(target).valid;
+  const bool shown = limit > 0 && estimates_.at(target).isValid;
   positions.resize(shown ? 1 : 0, 3);
   weights = Eigen::ArrayXd::Ones(positions.rows());
   if (shown) {

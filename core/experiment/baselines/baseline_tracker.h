@@ -43,7 +43,7 @@ struct BaselineSetup {
 /// effect.
 class BaselineTracker final : public Tracker,
                               public TargetTracking,
-                              public CameraCalibrated,
+                              public RigConfigurable,
                               public ParticleCloud {
 public:
   /// Creates a tracker. `start` is the volume in which it first searches for targets.

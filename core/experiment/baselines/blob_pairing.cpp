@@ -53,8 +53,9 @@ double relativeResidual(const std::vector<Bearing>& bearings, const Eigen::Vecto
 BlobPairing::BlobPairing(const CameraRig& rig)
     : rig_(rig), unprojectors_(rig.begin(), rig.end()), projectors_(rig.begin(), rig.end()) {}
 
-std::optional<Bearing> BlobPairing::bearing(std::size_t camera, std::size_t blob,
-                                            const Eigen::Vector2d& pixel, double radiusPx) const {
+std::optional<Bearing> BlobPairing::makeBearing(std::size_t camera, std::size_t blob,
+                                                const Eigen::Vector2d& pixel,
+                                                double radiusPx) const {
   const auto ray = unprojectors_[camera].ray(pixel);
   if (!ray) {
     return std::nullopt;
@@ -69,7 +70,7 @@ std::vector<std::vector<Bearing>> BlobPairing::bearingsOf(const std::vector<Came
   for (std::size_t camera = 0; camera < std::min(cameras.size(), rig_.size()); ++camera) {
     const std::vector<Blob>& blobs = cameras[camera].blobs;
     for (std::size_t k = 0; k < std::min(blobs.size(), limit); ++k) {
-      if (const auto seen = bearing(camera, k, blobs[k].center, blobs[k].radiusPx())) {
+      if (const auto seen = makeBearing(camera, k, blobs[k].center, blobs[k].radiusPx())) {
         bearings[camera].push_back(*seen);
       }
     }
@@ -168,8 +169,8 @@ std::vector<Bearing> BlobPairing::extendPair(std::vector<Bearing> members,
   return members;
 }
 
-std::vector<PairedBlobs> BlobPairing::pair(const std::vector<CameraBlobs>& cameras, double radius,
-                                           std::size_t targetCount) const {
+std::vector<PairedBlobs> BlobPairing::pairBlobs(const std::vector<CameraBlobs>& cameras,
+                                                double radius, std::size_t targetCount) const {
   const auto bearings = bearingsOf(cameras, kSpareBlobs + targetCount);
   std::vector<PairedBlobs> pairs;
   for (std::size_t a = 0; a < bearings.size(); ++a) {
@@ -200,7 +201,7 @@ std::optional<std::size_t> BlobPairing::blobAt(std::size_t camera, const std::ve
   std::optional<std::size_t> best;
   double least = 1.0;
   for (std::size_t k = 0; k < blobs.size(); ++k) {
-    const auto seen = bearing(camera, k, blobs[k].center, blobs[k].radiusPx());
+    const auto seen = makeBearing(camera, k, blobs[k].center, blobs[k].radiusPx());
     if (!seen) {
       continue;
     }

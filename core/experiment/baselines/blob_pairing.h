@@ -68,16 +68,16 @@ public:
   /// Returns the bearing (the ray through the center) of a blob in the image of a camera, or
   /// nothing if the lens model has no ray at `pixel`. `pixel` is the blob's center, `radiusPx` its
   /// radius, and `blob` its index.
-  std::optional<Bearing> bearing(std::size_t camera, std::size_t blob, const Eigen::Vector2d& pixel,
-                                 double radiusPx) const;
+  std::optional<Bearing> makeBearing(std::size_t camera, std::size_t blob,
+                                     const Eigen::Vector2d& pixel, double radiusPx) const;
 
   /// Returns every position on which at least two cameras agree. The result contains each pair of
   /// blobs that fit together, and the same pair extended by the nearest fitting blob of each
   /// additional camera. `radius` is the target radius in meters; if it is 0 (unknown), the blob
   /// sizes only have to agree with each other. Only the largest 16 + `targetCount` blobs of each
   /// camera are considered. `cameras` is in rig order.
-  std::vector<PairedBlobs> pair(const std::vector<CameraBlobs>& cameras, double radius,
-                                std::size_t targetCount) const;
+  std::vector<PairedBlobs> pairBlobs(const std::vector<CameraBlobs>& cameras, double radius,
+                                     std::size_t targetCount) const;
 
   /// Returns the index of the blob that fits a position (world, meters) best, or nothing if none
   /// fits. `blobs` are the blobs of camera `camera`; `radius` is the target radius in meters, or 0

@@ -17,7 +17,7 @@ smoothedEstimates(const std::vector<std::vector<SphereEstimate>>& live, double f
       sample.target = std::to_string(target);
       sample.position = estimate.mean;
       sample.covariance = estimate.covariance;
-      sample.valid = estimate.valid;
+      sample.isValid = estimate.isValid;
       if (estimate.measurement) {
         sample.measurement =
             PositionMeasurement{estimate.measurement->mean, estimate.measurement->covariance};
@@ -32,7 +32,7 @@ smoothedEstimates(const std::vector<std::vector<SphereEstimate>>& live, double f
       const TrajectorySample& sample = after.samples[next++];
       estimate.mean = sample.position;
       estimate.covariance = sample.covariance;
-      estimate.valid = sample.valid;
+      estimate.isValid = sample.isValid;
     }
   }
   return result;

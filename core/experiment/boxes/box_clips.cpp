@@ -102,8 +102,8 @@ Status addJuggle(const fs::path& folder, std::vector<BoxClip>& clips) {
     BoxClip clip;
     clip.name = fmt::format("juggle1, {} ball", kBalls[ball]);
     clip.description = "up to 70 px per frame, hands and other balls in front";
-    clip.radius = kJuggleRadius;
-    clip.exactBoxes = false;
+    clip.hitRadiusPx = kJuggleRadius;
+    clip.hasExactBoxes = false;
     clip.image = imageSource(files);
     for (const auto& row : *rows) {
       const Eigen::Vector2d center(row[2 * ball + 2] + kPixelCenter,
@@ -133,7 +133,7 @@ void addThrow(const fs::path& folder, const std::string& color,
   BoxClip clip;
   clip.name = fmt::format("throws_pinkball, {} ball", color);
   clip.description = "boxes by color segmentation";
-  clip.radius = kJuggleRadius;
+  clip.hitRadiusPx = kJuggleRadius;
   std::vector<fs::path> files;
   for (int frame = begin; frame < begin + count; ++frame) {
     clip.truth.push_back(boxes.at(frame));
@@ -178,7 +178,7 @@ Status addSequence(const fs::path& folder, std::vector<BoxClip>& clips) {
   BoxClip clip;
   clip.name = "otb, " + folder.filename().string();
   clip.description = "hand-marked boxes";
-  clip.radius = kOtbRadius;
+  clip.hitRadiusPx = kOtbRadius;
   std::vector<fs::path> files;
   for (const auto& row : *rows) { // counted from 1
     clip.truth.push_back({row[0] - 1.0, row[1] - 1.0, row[2], row[3]});
@@ -216,7 +216,7 @@ BoxClip clipOfScene(const Scene& scene, int camera) {
     const Eigen::Vector2d center = disk.center + Eigen::Vector2d::Constant(kPixelCenter);
     clip.truth.push_back(ImageBox::around(center, 2.0 * disk.radius, 2.0 * disk.radius));
   }
-  clip.radius = clip.truth.front().width / 2.0;
+  clip.hitRadiusPx = clip.truth.front().width / 2.0;
   const auto renderer = std::make_shared<const SceneRenderer>(scene);
   clip.image = [renderer, camera](std::int64_t frame) -> Result<cv::Mat> {
     return renderer->render(camera, frame);

@@ -21,8 +21,9 @@ struct BoxClip {
   std::string description; ///< why the target is difficult to follow
   std::vector<ImageBox> truth;
   /// Largest distance between the found and the true center that counts as a hit, pixels.
-  double radius = 20.0;
-  bool exactBoxes = true; ///< false: the truth gives only centers, and its boxes have a fixed size
+  double hitRadiusPx = 20.0;
+  bool hasExactBoxes =
+      true; ///< false: the truth gives only centers, and its boxes have a fixed size
   std::function<Result<cv::Mat>(std::int64_t)>
       image; ///< returns the image (CV_8UC3) of a frame; frames are counted from 0
 };

@@ -50,7 +50,7 @@ public:
     tracker_->beginFrame(std::make_shared<const FrameSet>(std::move(frames)));
     tracker_->iterate(team_);
     const auto estimate = std::get<BoxEstimate>(tracker_->estimate(0));
-    claim_ = {estimate.similarity, estimate.visible};
+    claim_ = {estimate.similarity, estimate.isVisible};
     return estimate.box;
   }
   std::optional<BoxConfidence> confidence() const override { return claim_; }

@@ -17,7 +17,7 @@ namespace dewpoint::experiment {
 /// Confidence that a follower reports for the box it found.
 struct BoxConfidence {
   double similarity = 0.0; ///< similarity to the target, [0, 1]
-  bool visible = true; ///< false: the target is hidden, and the box stays at its assumed position
+  bool isVisible = true; ///< false: the target is hidden, and the box stays at its assumed position
 };
 
 /// Common interface of all methods that follow a box through images, used for comparisons.

@@ -100,9 +100,10 @@ Result<CalibratedClip> bandsClip(const ClipFolders& folders) {
   CalibratedClip clip;
   clip.name = "R1-bands";
   clip.rig = std::move(*rig);
-  clip.cameras = {folder / "leftCam_20251015_180349.avi", folder / "rightCam_20251015_180349.avi"};
+  clip.cameraPaths = {folder / "leftCam_20251015_180349.avi",
+                      folder / "rightCam_20251015_180349.avi"};
   clip.framesPerSecond = kBandRate;
-  clip.startHalfSize = kBandStartHalf;
+  clip.startMargin = kBandStartHalf;
   std::int64_t last = 0;
   for (std::size_t band = 0; band < kBands.size(); ++band) {
     ColorSample click;
@@ -125,7 +126,7 @@ Result<CalibratedClip> bandsClip(const ClipFolders& folders) {
     }
     clip.startPositions.push_back(*start);
   }
-  clip.instants = simultaneousInstants(0, last + 1, clip.cameras.size(), kBandRate);
+  clip.instants = simultaneousInstants(0, last + 1, clip.cameraPaths.size(), kBandRate);
   return clip;
 }
 

@@ -118,7 +118,7 @@ Result<CalibratedClip> boardClip(const ClipFolders& folders) {
   clip.name = "R1-board";
   clip.rig = std::move(*rig);
   for (std::size_t camera = 0; camera < kBoardCameras; ++camera) {
-    clip.cameras.push_back(folder / fmt::format("cam_{}.mp4", camera));
+    clip.cameraPaths.push_back(folder / fmt::format("cam_{}.mp4", camera));
   }
   clip.framesPerSecond = kBoardRate;
   clip.markGatePx = kBoardGatePx;

@@ -21,11 +21,11 @@ Status checkSizes(const CalibratedClip& clip, const FrameSet& set) {
     const FramePtr& frame = set.frames[camera];
     const Intrinsics& intrinsics = clip.rig[camera].intrinsics;
     if (!frame) {
-      return failure(ErrorCode::FileUnreadable, clip.cameras[camera].string(), "",
+      return failure(ErrorCode::FileUnreadable, clip.cameraPaths[camera].string(), "",
                      "its first image cannot be read");
     }
     if (frame->image.cols != intrinsics.width || frame->image.rows != intrinsics.height) {
-      return failure(ErrorCode::Mismatch, clip.cameras[camera].string(), "size",
+      return failure(ErrorCode::Mismatch, clip.cameraPaths[camera].string(), "size",
                      fmt::format("{} x {} pixels, the calibration is for {} x {}",
                                  frame->image.cols, frame->image.rows, intrinsics.width,
                                  intrinsics.height));
@@ -134,9 +134,9 @@ void placeStart(const CalibratedClip& clip, ScenarioRun& run) {
     high = high.cwiseMax(start);
   }
   RandomDraws draws(run.seed, clip.name);
-  const Eigen::Vector3d most = Eigen::Vector3d::Constant(0.5 * clip.startHalfSize);
-  run.startCenter = 0.5 * (low + high) + draws.pointInBox(-most, most);
-  run.startHalfSize = 0.5 * (high - low) + Eigen::Vector3d::Constant(clip.startHalfSize);
+  const Eigen::Vector3d most = Eigen::Vector3d::Constant(0.5 * clip.startMargin);
+  run.startCenter = 0.5 * (low + high) + draws.drawPointInBox(-most, most);
+  run.startHalfSize = 0.5 * (high - low) + Eigen::Vector3d::Constant(clip.startMargin);
 }
 
 } // namespace
@@ -156,7 +156,7 @@ std::optional<Eigen::Vector3d> triangulateMarks(const CameraRig& rig,
 }
 
 Result<ScenarioRun> makeClipRun(const CalibratedClip& clip, std::uint64_t seed) {
-  auto opened = ClipFrames::open(clip.cameras, clip.instants);
+  auto opened = ClipFrames::open(clip.cameraPaths, clip.instants);
   if (!opened) {
     return tl::make_unexpected(opened.error());
   }
@@ -171,7 +171,7 @@ Result<ScenarioRun> makeClipRun(const CalibratedClip& clip, std::uint64_t seed) 
   run.rig = clip.rig;
   run.trueRig = clip.rig;
   run.framesPerSecond = clip.framesPerSecond;
-  run.frameCount = frames->count();
+  run.frameCount = frames->instantCount();
   for (const ClipTarget& target : clip.targets) {
     auto learned = learnedTarget(target, clip.rig, *frames);
     if (!learned) {

@@ -44,7 +44,7 @@ inline constexpr double kClipMarkGatePx = 10.0;
 struct CalibratedClip {
   std::string name; ///< name of the scenario
   CameraRig rig;
-  std::vector<std::filesystem::path> cameras; ///< one video or one folder of images per camera
+  std::vector<std::filesystem::path> cameraPaths; ///< one video or one folder of images per camera
   std::vector<ClipInstant> instants;
   double framesPerSecond = 30.0;
   std::vector<ClipTarget> targets;
@@ -60,12 +60,12 @@ struct CalibratedClip {
   std::vector<Eigen::Vector3d> startPositions;
   /// Margin, in meters, by which the box in which the search starts extends beyond the initial
   /// positions of all targets. Clips with uncertain initial positions have a larger margin.
-  double startHalfSize = kClipStartHalfSize;
+  double startMargin = kClipStartHalfSize;
 };
 
 /// Creates a run of a recorded clip; its grade (level of realism) is `Real`. The color of each
 /// target is learned from its one click. The search starts in a box around the initial positions of
-/// the targets. This box is shifted by up to half of `startHalfSize` along each axis. The seed
+/// the targets. This box is shifted by up to half of `startMargin` along each axis. The seed
 /// determines this shift and the random numbers of the methods. The function opens the files of the
 /// clip. Returns Mismatch if images and calibration have different sizes.
 Result<ScenarioRun> makeClipRun(const CalibratedClip& clip, std::uint64_t seed);

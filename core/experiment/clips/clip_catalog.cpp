@@ -25,10 +25,11 @@ ClipDeclaration handRow() {
   clip.description =
       "A hand over a desk, two cameras, 352 frames: it points, opens, closes and turns; "
       "the forearm has its color.";
-  clip.start = kOneClick;
-  clip.truth = "the center of the hand without fingers and forearm, 40 frames in both images "
-               "(bench/clips); lengths are off by an unknown factor of up to 17 %, as the size of "
-               "the calibration's chessboard is not known";
+  clip.learningDescription = kOneClick;
+  clip.truthDescription =
+      "the center of the hand without fingers and forearm, 40 frames in both images "
+      "(bench/clips); lengths are off by an unknown factor of up to 17 %, as the size of "
+      "the calibration's chessboard is not known";
   clip.origin = TruthOrigin::Marked;
   clip.truthSigma = kHandMarkMm;
   clip.tuningUse = TuningUse::Viewed;
@@ -44,8 +45,9 @@ ClipDeclaration boxedHandRow() {
   ClipDeclaration clip = handRow();
   clip.name = "R1-hand-boxed";
   clip.description += " One box around the hand says that it is the target, not the forearm.";
-  clip.start = "one box around the hand in one camera, from which color and radius are learned, "
-               "and a box of 0.1 m half size around the first position.";
+  clip.learningDescription =
+      "one box around the hand in one camera, from which color and radius are learned, "
+      "and a box of 0.1 m half size around the first position.";
   clip.tuningNote = "that a box marks a part was made and tried on it, with other boxes";
   clip.tuningUse = TuningUse::Yes;
   clip.calibrated = boxedHandClip;
@@ -59,9 +61,10 @@ ClipDeclaration bandsRow() {
   clip.description = "Yellow, light-blue and pink bands on the knee, ankle and wrist of a man who "
                      "pedals on a chair and swings an arm, two webcams, 163 frames; measured in "
                      "pixels, as the length of the baseline is not known.";
-  clip.start = "one click per band in the left camera, from which its color is learned, and a box "
-               "around all three, with 0.3 m around them.";
-  clip.truth =
+  clip.learningDescription =
+      "one click per band in the left camera, from which its color is learned, and a box "
+      "around all three, with 0.3 m around them.";
+  clip.truthDescription =
       "centroids of the bands' colors in both images of every frame; the shaded lower part "
       "of the yellow band is left out of it, which lifts its center by up to 5 px";
   clip.origin = TruthOrigin::Segmented;
@@ -80,9 +83,11 @@ ClipDeclaration boardRow() {
       "A man waves a board of black and white squares before four webcams, 57 "
       "instants, 6 per second, each camera with its own time stamps. Color methods are "
       "not made for this: the target is flat, and doors and sky are as white.";
-  clip.start = "one click on a white square, from which the color is learned, and a box of 0.1 m "
-               "half size around the first position.";
-  clip.truth = "the board's center, the mean of opposite corners of the published twelve";
+  clip.learningDescription =
+      "one click on a white square, from which the color is learned, and a box of 0.1 m "
+      "half size around the first position.";
+  clip.truthDescription =
+      "the board's center, the mean of opposite corners of the published twelve";
   clip.origin = TruthOrigin::Board;
   clip.truthSigma = kBoardMm;
   clip.tuningUse = TuningUse::Viewed;
@@ -100,11 +105,11 @@ ClipDeclaration imageRow(const char* name, const char* recording, const char* cl
   clip.name = name;
   clip.recording = recording;
   clip.description = sentence;
-  clip.start = kTrueBox;
+  clip.learningDescription = kTrueBox;
   clip.images = [clipName](const ClipFolders& folders) {
     return recordedBoxClip(folders, clipName);
   };
-  clip.seeds = 2; // as the box study; OpenCV's trackers have no randomness
+  clip.seedCount = 2; // as the box study; OpenCV's trackers have no randomness
   return clip;
 }
 
@@ -113,7 +118,8 @@ ClipDeclaration juggleRow(const char* name, const char* clipName) {
       name, "juggle1", clipName,
       "One of three juggled balls, one camera, 99 frames, up to 70 px from frame to frame; "
       "hands and the other balls pass in front.");
-  clip.truth = "centers of every frame, marked by a person; a box of 28 px stands for the ball";
+  clip.truthDescription =
+      "centers of every frame, marked by a person; a box of 28 px stands for the ball";
   clip.origin = TruthOrigin::Marked;
   clip.truthSigma = kJuggleMarkPx;
   clip.tuningUse = TuningUse::Yes;
@@ -128,7 +134,7 @@ ClipDeclaration throwRow(const char* name, const char* clipName) {
       imageRow(name, "throws_pinkball", clipName,
                "A thrown ball in slow motion, one wide-angle camera, 75 to 101 frames, among gray "
                "and white balls.");
-  clip.truth = "boxes of every frame by background difference and hue";
+  clip.truthDescription = "boxes of every frame by background difference and hue";
   clip.origin = TruthOrigin::Segmented;
   clip.truthSigma = kCentroidPx;
   clip.tuningUse = TuningUse::Yes;
@@ -140,7 +146,7 @@ ClipDeclaration throwRow(const char* name, const char* clipName) {
 
 ClipDeclaration otbRow(const char* name, const char* clipName, const char* sentence) {
   ClipDeclaration clip = imageRow(name, "otb", clipName, sentence);
-  clip.truth = "boxes of every frame, drawn by people, of the benchmark OTB-100";
+  clip.truthDescription = "boxes of every frame, drawn by people, of the benchmark OTB-100";
   clip.origin = TruthOrigin::Marked;
   clip.truthSigma = kOtbMarkPx;
   clip.tuningUse = TuningUse::Yes;

@@ -36,18 +36,18 @@ enum class TuningUse {
 
 /// Declaration of a real clip: one row of the catalog. Either `calibrated` or `images` is set.
 struct ClipDeclaration {
-  std::string name;        ///< name of the scenario: "R1-hand"
-  std::string recording;   ///< folder of the recording
-  std::string description; ///< what the clip shows, in one sentence
-  std::string start;       ///< how methods learn the target's appearance
-  std::string truth;       ///< kind, origin and accuracy of the truth
+  std::string name;                ///< name of the scenario: "R1-hand"
+  std::string recording;           ///< folder of the recording
+  std::string description;         ///< what the clip shows, in one sentence
+  std::string learningDescription; ///< how methods learn the target's appearance
+  std::string truthDescription;    ///< kind, origin and accuracy of the truth
   TruthOrigin origin = TruthOrigin::Marked;
   /// Standard deviation of the truth along each axis: in mm, or in pixels for a clip recorded by
   /// one camera (`images` is set).
   double truthSigma = 0.0;
   TuningUse tuningUse = TuningUse::No;
   std::string tuningNote; ///< what was tuned on the clip, or why nothing was, in one clause
-  int seeds = 5;          ///< default number of runs in a report
+  int seedCount = 5;      ///< default number of runs in a report
   /// True if the `truth` folder of ClipFolders is also needed.
   bool needsTruthFolder = false;
   /// Loads a clip recorded by calibrated cameras, for methods that track in 3D space.

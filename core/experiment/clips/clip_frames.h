@@ -33,7 +33,7 @@ public:
   static Result<std::shared_ptr<ClipFrames>> open(const std::vector<std::filesystem::path>& cameras,
                                                   std::vector<ClipInstant> instants);
 
-  std::int64_t count() const { return static_cast<std::int64_t>(instants_.size()); }
+  std::int64_t instantCount() const { return static_cast<std::int64_t>(instants_.size()); }
   /// Returns the frames of the instant with this index, with times relative to the first instant. A
   /// frame that cannot be read is null, like a frame that a camera did not deliver.
   FrameSetPtr at(std::int64_t instant);

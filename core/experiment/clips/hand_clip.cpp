@@ -61,10 +61,10 @@ Result<CalibratedClip> handClip(const ClipFolders& folders) {
   CalibratedClip clip;
   clip.name = "R1-hand";
   clip.rig = std::move(*rig);
-  clip.cameras = {folders.recordings / "hand2_desk" / "cam0.mp4",
-                  folders.recordings / "hand2_desk" / "cam1.mp4"};
+  clip.cameraPaths = {folders.recordings / "hand2_desk" / "cam0.mp4",
+                      folders.recordings / "hand2_desk" / "cam1.mp4"};
   clip.framesPerSecond = kHandRate;
-  clip.instants = simultaneousInstants(first, last + 1, clip.cameras.size(), kHandRate);
+  clip.instants = simultaneousInstants(first, last + 1, clip.cameraPaths.size(), kHandRate);
   ColorSample click;
   click.frame = kHandClickFrame - first;
   click.x = kHandClickX;

@@ -61,8 +61,8 @@ ScenarioDeclaration scenarioOf(const ClipDeclaration& clip, const ClipFolders& f
   scenario.name = clip.name;
   scenario.family = clip.name.substr(0, clip.name.find('-'));
   scenario.description = clipDescription(clip);
-  scenario.seeds = clip.seeds;
-  scenario.recorded = true;
+  scenario.seedCount = clip.seedCount;
+  scenario.isRecorded = true;
   if (clip.images) {
     scenario.clip = [images = clip.images, folders] { return images(folders); };
   } else {
@@ -84,13 +84,15 @@ ScenarioDeclaration scenarioOf(const ClipDeclaration& clip, const ClipFolders& f
 
 } // namespace
 
-RealScenarios realScenarios(const ClipFolders& folders, std::span<const ClipDeclaration> catalog) {
+RealScenarios makeRealScenarios(const ClipFolders& folders,
+                                std::span<const ClipDeclaration> catalog) {
   RealScenarios result;
   for (const ClipDeclaration& clip : catalog) {
     if (const std::string reason = reasonToSkip(clip, folders); reason.empty()) {
       result.scenarios.push_back(scenarioOf(clip, folders));
     } else {
-      result.skipped.push_back({clip.name, fmt::format("{} is skipped: {}.", clip.name, reason)});
+      result.skippedClips.push_back(
+          {clip.name, fmt::format("{} is skipped: {}.", clip.name, reason)});
     }
   }
   return result;
@@ -98,8 +100,9 @@ RealScenarios realScenarios(const ClipFolders& folders, std::span<const ClipDecl
 
 std::string clipDescription(const ClipDeclaration& clip) {
   return fmt::format("{} Start: {} Truth: {} ({}; ±{:g} {}). Tuned on: {} ({}).", clip.description,
-                     clip.start, clip.truth, originText(clip.origin), clip.truthSigma,
-                     isInPixels(clip) ? "px" : "mm", tunedText(clip.tuningUse), clip.tuningNote);
+                     clip.learningDescription, clip.truthDescription, originText(clip.origin),
+                     clip.truthSigma, isInPixels(clip) ? "px" : "mm", tunedText(clip.tuningUse),
+                     clip.tuningNote);
 }
 
 } // namespace dewpoint::experiment

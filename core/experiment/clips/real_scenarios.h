@@ -19,12 +19,13 @@ struct SkippedClip {
 /// Real clips (recordings with ground truth) as scenarios of the accuracy suite.
 struct RealScenarios {
   std::vector<ScenarioDeclaration> scenarios;
-  std::vector<SkippedClip> skipped;
+  std::vector<SkippedClip> skippedClips;
 };
 
 /// Creates scenarios from those clips of a catalog (clipCatalog()) whose recordings are in the
 /// folders. A clip whose recording exists but is broken is not skipped; its run reports an error.
-RealScenarios realScenarios(const ClipFolders& folders, std::span<const ClipDeclaration> catalog);
+RealScenarios makeRealScenarios(const ClipFolders& folders,
+                                std::span<const ClipDeclaration> catalog);
 
 /// Returns the description of a clip for a report: what it shows, how a target is learned, the
 /// truth, and whether methods were tuned on it.

@@ -69,7 +69,7 @@ Interval bootstrapInterval(std::span<const std::vector<double>> runs, const Stat
   fillResample(std::vector<int>(runs.size(), 1));
   Interval interval{statistic(resample), 0.0, 0.0};
   std::vector<double> figures;
-  for (int k = 0; k < setup.resamples; ++k) {
+  for (int k = 0; k < setup.resampleCount; ++k) {
     const RandomStream random(setup.seed, static_cast<std::uint32_t>(k), 0,
                               RandomPurpose::Resampling);
     fillResample(drawRuns(runs.size(), random));
@@ -79,8 +79,8 @@ Interval bootstrapInterval(std::span<const std::vector<double>> runs, const Stat
   if (figures.empty())
     figures.push_back(interval.value);
   std::sort(figures.begin(), figures.end());
-  interval.low = quantile(figures, (1.0 - setup.level) / 2.0);
-  interval.high = quantile(figures, (1.0 + setup.level) / 2.0);
+  interval.low = quantile(figures, (1.0 - setup.confidenceLevel) / 2.0);
+  interval.high = quantile(figures, (1.0 + setup.confidenceLevel) / 2.0);
   return interval;
 }
 

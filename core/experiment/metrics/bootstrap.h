@@ -21,8 +21,8 @@ double p95Of(const std::vector<double>& sorted);
 
 /// Number of resamples, confidence level and seed of a bootstrap.
 struct BootstrapSetup {
-  int resamples = 2000;
-  double level = 0.95;
+  int resampleCount = 2000;
+  double confidenceLevel = 0.95;
   std::uint64_t seed = 1;
 };
 

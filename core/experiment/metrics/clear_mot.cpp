@@ -134,7 +134,7 @@ double ClearMot::motp() const {
   return ratio(distanceSum, matches);
 }
 
-ClearMot clearMot(std::span<const TrackFrame> frames, double gate) {
+ClearMot computeClearMot(std::span<const TrackFrame> frames, double gate) {
   Matcher matcher(gate);
   for (const TrackFrame& frame : frames)
     matcher.add(frame);

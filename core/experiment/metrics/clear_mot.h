@@ -38,6 +38,6 @@ struct ClearMot {
 /// again. Among the matchings with the largest number of pairs, the one with the smallest total
 /// distance is used. While a true target is not matched, the identity of its last match is
 /// remembered.
-ClearMot clearMot(std::span<const TrackFrame> frames, double gate);
+ClearMot computeClearMot(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

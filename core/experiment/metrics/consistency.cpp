@@ -36,16 +36,16 @@ double normalizedErrorSquared(const StateError& sample) {
   return std::isfinite(value) ? value : kUndefined;
 }
 
-Consistency consistency(std::span<const StateError> errors, double level) {
+Consistency computeConsistency(std::span<const StateError> errors, double level) {
   Consistency result;
-  result.samples = static_cast<std::int64_t>(errors.size());
-  result.coverage95.total = result.samples;
-  result.coverage50.total = result.samples;
+  result.sampleCount = static_cast<std::int64_t>(errors.size());
+  result.coverage95.total = result.sampleCount;
+  result.coverage50.total = result.sampleCount;
   double sum = 0.0;
   for (const StateError& sample : errors) {
     const double value = normalizedErrorSquared(sample);
     if (std::isnan(value)) {
-      ++result.unusableCount;
+      ++result.unusableSampleCount;
       continue;
     }
     sum += value;
@@ -56,7 +56,7 @@ Consistency consistency(std::span<const StateError> errors, double level) {
     if (value <= kChiSquared50ThreeDof)
       ++result.coverage50.count;
   }
-  const auto usable = static_cast<double>(result.samples - result.unusableCount);
+  const auto usable = static_cast<double>(result.sampleCount - result.unusableSampleCount);
   const bool any = usable > 0.0;
   result.nees = meanBounds(any ? sum / usable : kUndefined, usable, 3.0, level);
   result.axisNees = any ? (result.axisNees / usable).eval() : Eigen::Vector3d::Constant(kUndefined);

@@ -26,10 +26,10 @@ inline constexpr double kChiSquared50ThreeDof = 2.365973884375;
 /// squared, error^T covariance^-1 error (Bar-Shalom, Li & Kirubarajan 2001, section 5.4.2). Its
 /// mean is 3 for a consistent estimate, and higher for an overconfident one.
 struct Consistency {
-  std::int64_t samples = 0; ///< number of all samples
-  std::int64_t unusableCount =
+  std::int64_t sampleCount = 0; ///< number of all samples
+  std::int64_t unusableSampleCount =
       0; ///< number of samples that are not finite, or whose covariance is not positive definite
-  Interval nees; ///< mean NEES, with the bounds for a consistent filter, see consistency()
+  Interval nees; ///< mean NEES, with the bounds for a consistent filter, see computeConsistency()
   /// Mean of error² / reported variance for each world axis; 1 is expected.
   Eigen::Vector3d axisNees = Eigen::Vector3d::Zero();
   /// Expected value of each element of axisNees (1), with the bounds for a consistent filter.
@@ -42,7 +42,7 @@ struct Consistency {
 /// chi-square bounds of the mean at confidence `level`. They are valid for independent errors only:
 /// pass one sample per run, or treat the bounds as a rough guide. Without usable samples, means are
 /// NaN and bounds are infinite.
-Consistency consistency(std::span<const StateError> errors, double level = 0.95);
+Consistency computeConsistency(std::span<const StateError> errors, double level = 0.95);
 
 /// Returns the NEES (normalized estimation error squared) of a sample: error^T covariance^-1 error.
 /// Returns NaN if the error is not finite or the covariance is not positive definite.

@@ -43,13 +43,13 @@ ErrorSplit splitErrors(const std::vector<Eigen::Vector3d>& errors,
   if (finite.empty())
     return nothing();
   ErrorSplit split;
-  split.count = static_cast<std::int64_t>(finite.size());
+  split.errorCount = static_cast<std::int64_t>(finite.size());
   split.summary = summarize(finite);
   split.spread = spreadAbout(split.summary.bias, finite);
   if (const auto view = meanView(cameras))
-    split.meanViewBias = cameraBias(*view, finite);
+    split.meanViewBias = computeCameraBias(*view, finite);
   for (const TrajectoryCamera& camera : cameras)
-    split.cameras.push_back(cameraBias(camera, finite));
+    split.cameraBiases.push_back(computeCameraBias(camera, finite));
   return split;
 }
 

@@ -26,8 +26,8 @@ bool TargetFrame::isFollowed(double gate) const {
   return truth && estimate && (*estimate - *truth).norm() < gate; // false for NaN
 }
 
-std::vector<TargetFrame> targetFrames(std::span<const TrackFrame> frames, int truthIdentity,
-                                      int estimateIdentity) {
+std::vector<TargetFrame> framesOfTarget(std::span<const TrackFrame> frames, int truthIdentity,
+                                        int estimateIdentity) {
   std::vector<TargetFrame> result;
   for (const TrackFrame& frame : frames)
     result.push_back({frame.frame, positionOf(frame.truth, truthIdentity),
@@ -65,10 +65,10 @@ std::optional<std::int64_t> framesToDeclareLoss(std::span<const TargetFrame> fra
   return std::nullopt;
 }
 
-Proportion lostFrames(std::span<const TargetFrame> frames, double gate) {
+Proportion lostFrameShare(std::span<const TargetFrame> frames, double gate) {
   Proportion lost;
   for (const TargetFrame& frame : frames) {
-    if (!frame.truth || !frame.visible)
+    if (!frame.truth || !frame.isVisible)
       continue;
     ++lost.total;
     lost.count += frame.isFollowed(gate) ? 0 : 1;

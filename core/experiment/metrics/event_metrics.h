@@ -21,7 +21,7 @@ struct TargetFrame {
   /// Estimated position. Empty: the method does not declare the target present.
   std::optional<Eigen::Vector3d> estimate;
   /// False if no method could see the target, because all cameras are blind in this frame.
-  bool visible = true;
+  bool isVisible = true;
 
   /// Returns whether the target is declared present and the distance between its estimate and the
   /// truth is below `gate` (meters).
@@ -31,8 +31,8 @@ struct TargetFrame {
 /// Returns the input of the event metrics for one target, frame by frame: the true position with
 /// identity `truthIdentity` and the estimate with identity `estimateIdentity`. All frames are
 /// marked as visible.
-std::vector<TargetFrame> targetFrames(std::span<const TrackFrame> frames, int truthIdentity,
-                                      int estimateIdentity);
+std::vector<TargetFrame> framesOfTarget(std::span<const TrackFrame> frames, int truthIdentity,
+                                        int estimateIdentity);
 
 /// Returns the number of frames until convergence: until the target is followed
 /// (TargetFrame::isFollowed()) in kConvergedFrames successive frames. 0 means that the target is
@@ -54,7 +54,7 @@ std::optional<std::int64_t> framesToDeclareLoss(std::span<const TargetFrame> fra
 
 /// Returns the proportion of lost frames: of the frames in which the target is present and visible
 /// (total), the number in which it is not followed (count); see TargetFrame::isFollowed().
-Proportion lostFrames(std::span<const TargetFrame> frames, double gate);
+Proportion lostFrameShare(std::span<const TargetFrame> frames, double gate);
 
 /// Returns the proportion of frames with a false alarm: of all frames (total), the number in which
 /// an estimate is at least `gate` (meters) away from every true target (count). In a frame without

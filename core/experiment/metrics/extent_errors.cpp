@@ -17,22 +17,23 @@ double medianIfAny(std::vector<double> values) {
 
 } // namespace
 
-ExtentErrors extentErrors(std::span<const ExtentSample> samples) {
+ExtentErrors measureExtentErrors(std::span<const ExtentSample> samples) {
   ExtentErrors result;
   std::vector<double> centroids;
   std::vector<double> sizes;
   for (const ExtentSample& sample : samples) {
-    ++result.nearProportion.total;
-    if (sample.distance && sample.halfExtent > 0.0 && std::isfinite(*sample.distance)) {
-      centroids.push_back(*sample.distance / sample.halfExtent);
-      result.nearProportion.count += centroids.back() <= kNearFraction ? 1 : 0;
+    ++result.nearEstimateProportion.total;
+    if (sample.centroidDistance && sample.halfExtent > 0.0 &&
+        std::isfinite(*sample.centroidDistance)) {
+      centroids.push_back(*sample.centroidDistance / sample.halfExtent);
+      result.nearEstimateProportion.count += centroids.back() <= kNearFraction ? 1 : 0;
     }
     if (sample.estimatedRadius && sample.radius > 0.0 && std::isfinite(*sample.estimatedRadius)) {
       sizes.push_back(std::abs(*sample.estimatedRadius - sample.radius) / sample.radius);
     }
   }
-  result.centroid = medianIfAny(std::move(centroids));
-  result.size = medianIfAny(std::move(sizes));
+  result.relativeCentroidError = medianIfAny(std::move(centroids));
+  result.relativeSizeError = medianIfAny(std::move(sizes));
   return result;
 }
 

@@ -18,7 +18,7 @@ inline constexpr double kNearFraction = 0.25;
 struct ExtentSample {
   /// Distance from the estimate to the centroid of the target. Empty: the method does not declare
   /// the target present.
-  std::optional<double> distance;
+  std::optional<double> centroidDistance;
   /// Longest semi-axis of the target (TargetExtent::halfAxes).
   double halfExtent = 0.0;
   double radius = 0.0; ///< radius of a ball with the same volume as the target
@@ -31,13 +31,16 @@ struct ExtentSample {
 struct ExtentErrors {
   /// Number of samples with an estimate whose distance is at most kNearFraction of the half extent.
   /// The total includes samples in which the target is not declared present.
-  Proportion nearProportion;
-  double centroid = 0.0; ///< median of distance / halfExtent; NaN without a finite value
-  double size = 0.0;     ///< median of |estimatedRadius - radius| / radius; NaN without values
+  Proportion nearEstimateProportion;
+  double relativeCentroidError =
+      0.0; ///< median of centroidDistance / halfExtent; NaN without a finite value
+  double relativeSizeError =
+      0.0; ///< median of |estimatedRadius - radius| / radius; NaN without values
 };
 
 /// Computes the errors relative to the target size. A sample whose true size is not positive counts
-/// as not near in ExtentErrors::nearProportion, and does not contribute to `centroid` and `size`.
-ExtentErrors extentErrors(std::span<const ExtentSample> samples);
+/// as not near in ExtentErrors::nearEstimateProportion, and does not contribute to `centroid` and
+/// `size`.
+ExtentErrors measureExtentErrors(std::span<const ExtentSample> samples);
 
 } // namespace dewpoint::experiment

@@ -8,7 +8,7 @@
 
 namespace dewpoint::experiment {
 
-Gospa gospa(const TrackFrame& frame, const GospaSetup& setup) {
+Gospa computeGospa(const TrackFrame& frame, const GospaSetup& setup) {
   const Eigen::MatrixXd distance = distances(frame);
   const auto power = [&](double value) { return std::pow(value, setup.order); };
   // A pair at the cutoff costs what a missed and a false target cost, so pairing as many as
@@ -23,14 +23,15 @@ Gospa gospa(const TrackFrame& frame, const GospaSetup& setup) {
     if (column == kUnassigned || distance(row, column) >= setup.cutoff)
       continue;
     ++pairs;
-    result.localization += cost(row, column);
+    result.localizationCost += cost(row, column);
   }
   result.missedTargetCount = static_cast<int>(distance.rows()) - pairs;
   result.falseTargetCount = static_cast<int>(distance.cols()) - pairs;
-  result.missed = result.missedTargetCount * power(setup.cutoff) / 2.0;
-  result.falseTargets = result.falseTargetCount * power(setup.cutoff) / 2.0;
+  result.missedTargetCost = result.missedTargetCount * power(setup.cutoff) / 2.0;
+  result.falseTargetCost = result.falseTargetCount * power(setup.cutoff) / 2.0;
   result.distance =
-      std::pow(result.localization + result.missed + result.falseTargets, 1.0 / setup.order);
+      std::pow(result.localizationCost + result.missedTargetCost + result.falseTargetCost,
+               1.0 / setup.order);
   return result;
 }
 
@@ -38,16 +39,17 @@ GospaAverage averageGospa(std::span<const TrackFrame> frames, const GospaSetup& 
   GospaAverage average;
   const double share = 1.0 / static_cast<double>(frames.size());
   for (const TrackFrame& frame : frames) {
-    const Gospa one = gospa(frame, setup);
+    const Gospa one = computeGospa(frame, setup);
     average.mean += share * one.distance;
-    average.localization += share * one.localization;
-    average.missed += share * one.missed;
-    average.falseTargets += share * one.falseTargets;
-    average.missedPerFrame += share * one.missedTargetCount;
+    average.localizationCost += share * one.localizationCost;
+    average.missedTargetCost += share * one.missedTargetCost;
+    average.falseTargetCost += share * one.falseTargetCost;
+    average.missedTargetsPerFrame += share * one.missedTargetCount;
     average.falseTargetsPerFrame += share * one.falseTargetCount;
   }
   average.powerMean =
-      std::pow(average.localization + average.missed + average.falseTargets, 1.0 / setup.order);
+      std::pow(average.localizationCost + average.missedTargetCost + average.falseTargetCost,
+               1.0 / setup.order);
   return average;
 }
 

@@ -22,28 +22,28 @@ struct Gospa {
   double distance = 0.0; ///< GOSPA distance, meters
   /// Contributions of the three kinds of errors (localization errors, missed targets and false
   /// targets) to distance^p, in meters^p.
-  double localization = 0.0;
-  double missed = 0.0;
-  double falseTargets = 0.0;
+  double localizationCost = 0.0;
+  double missedTargetCost = 0.0;
+  double falseTargetCost = 0.0;
   int missedTargetCount = 0;
   int falseTargetCount = 0;
 };
 
-/// GOSPA averaged over frames. The three contributions (localization, missed and falseTargets) add
-/// up to powerMean^p.
+/// GOSPA averaged over frames. The three contributions (localizationCost, missedTargetCost and
+/// falseTargetCost) add up to powerMean^p.
 struct GospaAverage {
   double mean = 0.0;      ///< mean distance, meters
   double powerMean = 0.0; ///< p-th root of the mean of distance^p, meters
-  double localization = 0.0;
-  double missed = 0.0;
-  double falseTargets = 0.0;
-  double missedPerFrame = 0.0;
+  double localizationCost = 0.0;
+  double missedTargetCost = 0.0;
+  double falseTargetCost = 0.0;
+  double missedTargetsPerFrame = 0.0;
   double falseTargetsPerFrame = 0.0;
 };
 
 /// Returns the GOSPA metric between the true targets and the estimates of one frame. Identities are
 /// ignored.
-Gospa gospa(const TrackFrame& frame, const GospaSetup& setup);
+Gospa computeGospa(const TrackFrame& frame, const GospaSetup& setup);
 
 /// Returns the GOSPA metric averaged over frames; all values are zero if there are no frames.
 GospaAverage averageGospa(std::span<const TrackFrame> frames, const GospaSetup& setup);

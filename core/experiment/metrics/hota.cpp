@@ -130,7 +130,7 @@ HotaAtThreshold scoreAt(const std::vector<Match>& matches, const Appearances& ap
 
 } // namespace
 
-Hota hota(std::span<const TrackFrame> frames, double gate) {
+Hota computeHota(std::span<const TrackFrame> frames, double gate) {
   const Appearances appearances = countAppearances(frames);
   const std::vector<Match> matches = matchAll(frames, gate, appearances);
   Hota result;

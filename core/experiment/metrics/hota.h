@@ -43,6 +43,6 @@ struct Hota {
 /// thresholds, as in the authors' TrackEval. The matching maximizes the sum of each pair's
 /// similarity times the alignment of its two identities. The alignment measures how well two
 /// identities agree over the whole sequence.
-Hota hota(std::span<const TrackFrame> frames, double gate);
+Hota computeHota(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

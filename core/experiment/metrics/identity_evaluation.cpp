@@ -18,7 +18,7 @@ void fill(const Trajectory& trajectory, const IdentityComparison& comparison,
           std::vector<TrackPoint> TrackFrame::*where, std::map<std::int64_t, TrackFrame>& frames) {
   std::map<std::string, int> identities;
   for (const TrajectorySample& sample : trajectory.samples) {
-    if (!sample.valid || !sample.position.allFinite()) {
+    if (!sample.isValid || !sample.position.allFinite()) {
       continue;
     }
     const int identity =
@@ -40,8 +40,8 @@ bool hasFrames(const Trajectory& trajectory) {
 
 } // namespace
 
-Result<std::vector<TrackFrame>> trackFrames(const Trajectory& estimate, const Trajectory& truth,
-                                            const IdentityComparison& comparison) {
+Result<std::vector<TrackFrame>> makeTrackFrames(const Trajectory& estimate, const Trajectory& truth,
+                                                const IdentityComparison& comparison) {
   if (!hasFrames(estimate) || !hasFrames(truth)) {
     return failure(ErrorCode::Mismatch, "", "frame", "identities are compared by frame number");
   }
@@ -67,22 +67,22 @@ Result<std::vector<TrackFrame>> trackFrames(const Trajectory& estimate, const Tr
 
 Result<IdentityEvaluation> evaluateIdentities(const Trajectory& estimate, const Trajectory& truth,
                                               const IdentityComparison& comparison) {
-  const auto frames = trackFrames(estimate, truth, comparison);
+  const auto frames = makeTrackFrames(estimate, truth, comparison);
   if (!frames) {
     return tl::make_unexpected(frames.error());
   }
   IdentityEvaluation result;
   result.comparison = comparison;
-  result.frames = static_cast<std::int64_t>(frames->size());
-  result.clearMot = clearMot(*frames, comparison.gate);
-  result.hota = hota(*frames, comparison.gate);
+  result.frameCount = static_cast<std::int64_t>(frames->size());
+  result.clearMot = computeClearMot(*frames, comparison.gate);
+  result.hota = computeHota(*frames, comparison.gate);
   result.gospa = averageGospa(*frames, {comparison.gate, 2.0});
   return result;
 }
 
 std::string identityText(const IdentityEvaluation& e) {
   std::string text = fmt::format("identities, gate {:.3f} m{}, {} frames\n", e.comparison.gate,
-                                 e.comparison.ignoresHeight ? " on the floor" : "", e.frames);
+                                 e.comparison.ignoresHeight ? " on the floor" : "", e.frameCount);
   text += fmt::format("  CLEAR MOT          MOTA {:.3f}, MOTP {:.1f} mm\n", e.clearMot.mota(),
                       inMillimeters(e.clearMot.motp()));
   text += fmt::format("                     {} misses, {} false, {} switches, {} fragmentations "
@@ -94,7 +94,7 @@ std::string identityText(const IdentityEvaluation& e) {
                       e.hota.hota, e.hota.detectionAccuracy, e.hota.associationAccuracy,
                       e.hota.localizationAccuracy);
   text += fmt::format("  GOSPA              {:.1f} mm ({:.3f} missed, {:.3f} false per frame)\n",
-                      inMillimeters(e.gospa.mean), e.gospa.missedPerFrame,
+                      inMillimeters(e.gospa.mean), e.gospa.missedTargetsPerFrame,
                       e.gospa.falseTargetsPerFrame);
   return text;
 }
@@ -103,7 +103,7 @@ nlohmann::json identityJson(const IdentityEvaluation& e) {
   return {{"unit", "m"},
           {"gate", e.comparison.gate},
           {"ground", e.comparison.ignoresHeight},
-          {"frames", e.frames},
+          {"frames", e.frameCount},
           {"mota", e.clearMot.mota()},
           {"motp", e.clearMot.motp()},
           {"truths", e.clearMot.truthCount},
@@ -116,7 +116,7 @@ nlohmann::json identityJson(const IdentityEvaluation& e) {
           {"association", e.hota.associationAccuracy},
           {"localization", e.hota.localizationAccuracy},
           {"gospa", e.gospa.mean},
-          {"gospa_missed_per_frame", e.gospa.missedPerFrame},
+          {"gospa_missed_per_frame", e.gospa.missedTargetsPerFrame},
           {"gospa_false_per_frame", e.gospa.falseTargetsPerFrame}};
 }
 

@@ -27,13 +27,13 @@ struct IdentityComparison {
 /// order of appearance. Frames are matched by number; a frame that only one of the trajectories
 /// contains is included. Returns Mismatch if a trajectory has no frame numbers, or if there is no
 /// common frame.
-Result<std::vector<TrackFrame>> trackFrames(const Trajectory& estimate, const Trajectory& truth,
-                                            const IdentityComparison& comparison);
+Result<std::vector<TrackFrame>> makeTrackFrames(const Trajectory& estimate, const Trajectory& truth,
+                                                const IdentityComparison& comparison);
 
 /// Result of comparing several targets.
 struct IdentityEvaluation {
   IdentityComparison comparison;
-  std::int64_t frames = 0;
+  std::int64_t frameCount = 0;
   ClearMot clearMot;
   Hota hota;
   GospaAverage gospa; ///< GOSPA of order 2

@@ -11,7 +11,7 @@ double reportedRadius(const Eigen::Matrix3d& covariance) {
 
 bool isWrong(const ReportedBelief& belief, double gate) {
   // The comparison is false for NaN, so that such a position is wrong.
-  return belief.declared && !(belief.truth && (belief.position - *belief.truth).norm() < gate);
+  return belief.isDeclared && !(belief.truth && (belief.position - *belief.truth).norm() < gate);
 }
 
 bool isConfidentlyWrong(const ReportedBelief& belief) {
@@ -22,16 +22,18 @@ bool isConfidentlyWrong(const ReportedBelief& belief) {
                                kConfidentRadii * reportedRadius(belief.covariance));
 }
 
-Overconfidence overconfidence(std::span<const ReportedBelief> beliefs, double gate) {
+Overconfidence measureOverconfidence(std::span<const ReportedBelief> beliefs, double gate) {
   Overconfidence result;
-  for (Proportion* share : {&result.wrong, &result.wrongWhenConfident, &result.confidentlyWrong}) {
+  for (Proportion* share :
+       {&result.wrongShare, &result.wrongAndConfidentShare, &result.confidentlyWrongShare}) {
     share->total = static_cast<std::int64_t>(beliefs.size());
   }
   for (const ReportedBelief& belief : beliefs) {
     const bool wrong = isWrong(belief, gate);
-    result.wrong.count += wrong ? 1 : 0;
-    result.wrongWhenConfident.count += wrong && belief.probability > kConfidentProbability ? 1 : 0;
-    result.confidentlyWrong.count += isConfidentlyWrong(belief) ? 1 : 0;
+    result.wrongShare.count += wrong ? 1 : 0;
+    result.wrongAndConfidentShare.count +=
+        wrong && belief.probability > kConfidentProbability ? 1 : 0;
+    result.confidentlyWrongShare.count += isConfidentlyWrong(belief) ? 1 : 0;
   }
   return result;
 }

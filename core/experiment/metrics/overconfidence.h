@@ -14,7 +14,7 @@ namespace dewpoint::experiment {
 /// covariance in m².
 struct ReportedBelief {
   double probability = 0.0; ///< reported P(exists), in [0, 1]
-  bool declared = false;    ///< true if the method declares the target present
+  bool isDeclared = false;  ///< true if the method declares the target present
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   std::optional<Eigen::Vector3d> truth; ///< true position; empty: the target is absent
@@ -44,16 +44,16 @@ bool isConfidentlyWrong(const ReportedBelief& belief);
 /// Numbers of cases in which a method is wrong, out of all beliefs, including those in which the
 /// method reports nothing.
 struct Overconfidence {
-  Proportion wrong; ///< cases in which the reported presence or position is wrong (isWrong())
+  Proportion wrongShare; ///< cases in which the reported presence or position is wrong (isWrong())
   /// Cases in which the reported presence or position is wrong (isWrong()) and P(exists) is above
   /// kConfidentProbability.
-  Proportion wrongWhenConfident;
+  Proportion wrongAndConfidentShare;
   /// Cases in which the method is confidently wrong (isConfidentlyWrong()).
-  Proportion confidentlyWrong;
+  Proportion confidentlyWrongShare;
 };
 
 /// Counts the beliefs in which a method is wrong (isWrong()) or confidently wrong; `gate` is in
 /// meters.
-Overconfidence overconfidence(std::span<const ReportedBelief> beliefs, double gate);
+Overconfidence measureOverconfidence(std::span<const ReportedBelief> beliefs, double gate);
 
 } // namespace dewpoint::experiment

@@ -23,41 +23,41 @@ void addForecasts(std::span<const Forecast> forecasts, Reliability& result) {
   for (const Forecast& forecast : forecasts) {
     const double probability = forecast.probability;
     if (!(probability >= 0.0 && probability <= 1.0)) {
-      ++result.unusableCount;
+      ++result.unusableForecastCount;
       continue;
     }
     const auto slot =
         static_cast<std::size_t>(probability * static_cast<double>(result.bins.size()));
     ReliabilityBin& bin = result.bins[std::min(slot, result.bins.size() - 1)];
-    const double outcome = forecast.happened ? 1.0 : 0.0;
-    ++bin.count;
-    ++result.count;
+    const double outcome = forecast.hasHappened ? 1.0 : 0.0;
+    ++bin.forecastCount;
+    ++result.forecastCount;
     bin.meanProbability += probability;
-    bin.frequency += outcome;
+    bin.observedFrequency += outcome;
     result.brierScore += (probability - outcome) * (probability - outcome);
   }
 }
 
 } // namespace
 
-Reliability reliability(std::span<const Forecast> forecasts, int binCount) {
+Reliability computeReliability(std::span<const Forecast> forecasts, int binCount) {
   Reliability result;
   result.bins = emptyBins(binCount);
   addForecasts(forecasts, result);
-  const auto total = static_cast<double>(result.count);
+  const auto total = static_cast<double>(result.forecastCount);
   for (ReliabilityBin& bin : result.bins) {
-    const auto count = static_cast<double>(bin.count);
-    bin.meanProbability = bin.count == 0 ? kNoForecast : bin.meanProbability / count;
-    bin.frequency = bin.count == 0 ? kNoForecast : bin.frequency / count;
-    if (bin.count == 0)
+    const auto count = static_cast<double>(bin.forecastCount);
+    bin.meanProbability = bin.forecastCount == 0 ? kNoForecast : bin.meanProbability / count;
+    bin.observedFrequency = bin.forecastCount == 0 ? kNoForecast : bin.observedFrequency / count;
+    if (bin.forecastCount == 0)
       continue;
-    const double difference = std::abs(bin.frequency - bin.meanProbability);
-    result.expectedError += count / total * difference;
-    result.maxError = std::max(result.maxError, difference);
+    const double difference = std::abs(bin.observedFrequency - bin.meanProbability);
+    result.expectedCalibrationError += count / total * difference;
+    result.maxCalibrationError = std::max(result.maxCalibrationError, difference);
   }
   result.brierScore /= total;
-  if (result.count == 0)
-    result.expectedError = result.maxError = result.brierScore = kNoForecast;
+  if (result.forecastCount == 0)
+    result.expectedCalibrationError = result.maxCalibrationError = result.brierScore = kNoForecast;
   return result;
 }
 

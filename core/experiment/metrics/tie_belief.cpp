@@ -5,13 +5,13 @@
 
 namespace dewpoint::experiment {
 
-bool isConfidentInTie(const ReportedBelief& belief, int equalCandidates) {
-  return belief.declared && belief.probability > 1.0 / equalCandidates + kTieMargin;
+bool isConfidentInTie(const ReportedBelief& belief, int equalCandidateCount) {
+  return belief.isDeclared && belief.probability > 1.0 / equalCandidateCount + kTieMargin;
 }
 
-Proportion confidentInTieShare(std::span<const ReportedBelief> beliefs, int equalCandidates) {
+Proportion confidentInTieShare(std::span<const ReportedBelief> beliefs, int equalCandidateCount) {
   const auto sure = std::ranges::count_if(beliefs, [&](const ReportedBelief& belief) {
-    return isConfidentInTie(belief, equalCandidates);
+    return isConfidentInTie(belief, equalCandidateCount);
   });
   return {sure, static_cast<std::int64_t>(beliefs.size())};
 }

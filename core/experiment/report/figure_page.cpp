@@ -26,7 +26,7 @@ std::string rowOf(const std::vector<std::string>& cells, const char* tag) {
 
 } // namespace
 
-ClaimOutcome noConvergenceOutcome(const std::vector<double>& shares) {
+ClaimOutcome outcomeOfNoConvergenceClaim(const std::vector<double>& shares) {
   constexpr double kNone = 0.1;
   const auto none = std::ranges::count_if(shares, [](double share) { return share < kNone; });
   return none == 0                    ? ClaimOutcome::NotReproduced
@@ -106,7 +106,7 @@ void FigurePage::addDataFile(const std::string& name, std::string text) {
 std::string FigurePage::html() const {
   return fmt::format("<!DOCTYPE html><html lang='en'><head><meta charset='utf-8'><title>{}</title>"
                      "<style>{}</style></head><body><main>{}</main></body></html>\n",
-                     htmlEscaped(title_), reportStyle(), body_);
+                     htmlEscaped(title_), reportStyleSheet(), body_);
 }
 
 Status FigurePage::write(const std::filesystem::path& folder) const {

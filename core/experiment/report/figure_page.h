@@ -20,7 +20,7 @@ enum class ClaimOutcome { Reproduced, InPart, NotReproduced };
 /// Returns the outcome for the claim of a paper that no run converges. `shares` contains, for each
 /// initial position of the particles, the fraction of runs that converged. The claim is reproduced
 /// if every fraction is below one tenth, and reproduced in part if some fractions are.
-ClaimOutcome noConvergenceOutcome(const std::vector<double>& shares);
+ClaimOutcome outcomeOfNoConvergenceClaim(const std::vector<double>& shares);
 
 /// Report of one experiment: a page with inline plots and separate image files, for light and dark
 /// mode. Text arguments are plain text; the page escapes them.

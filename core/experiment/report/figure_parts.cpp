@@ -20,7 +20,7 @@ SvgSeries lineSeries(const std::string& style, const std::vector<double>& values
   SvgSeries series;
   series.style = style;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    series.line.push_back({first + step * static_cast<double>(k), values[k]});
+    series.points.push_back({first + step * static_cast<double>(k), values[k]});
   }
   return series;
 }
@@ -33,7 +33,7 @@ void setCommonAxes(std::initializer_list<Plot*> plots, double least) {
   SvgPoint high{-kInfinity, -kInfinity};
   for (const Plot* plot : plots) {
     for (const SvgSeries& series : plot->series) {
-      for (const SvgPoint& point : series.line) {
+      for (const SvgPoint& point : series.points) {
         if (std::isfinite(point.x) && std::isfinite(point.y)) {
           low = {std::min(low.x, point.x), std::min(low.y, point.y)};
           high = {std::max(high.x, point.x), std::max(high.y, point.y)};
@@ -58,10 +58,10 @@ SvgSeries pointSeries(const std::string& style, const Eigen::ArrayXXd& rows, Eig
   SvgSeries series;
   series.style = style;
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    series.line.push_back({rows(i, across), rows(i, up)});
-    series.areas.push_back(area);
-    series.line.push_back({rows(i, across), kGap});
-    series.areas.push_back(0.0);
+    series.points.push_back({rows(i, across), rows(i, up)});
+    series.diskAreas.push_back(area);
+    series.points.push_back({rows(i, across), kGap});
+    series.diskAreas.push_back(0.0);
   }
   return series;
 }

@@ -3,7 +3,7 @@
 
 namespace dewpoint::experiment {
 
-std::string reportStyle() {
+std::string reportStyleSheet() {
   return R"css(
 :root { color-scheme: light dark;
   --page: #fbfbfa; --card: #ffffff; --ink: #1d2127; --soft: #646c77; --rule: #e3e5e8; --grid: #eceef0;

@@ -8,6 +8,6 @@
 namespace dewpoint::experiment {
 
 /// Returns the style sheet for all report pages, with light and dark mode.
-std::string reportStyle();
+std::string reportStyleSheet();
 
 } // namespace dewpoint::experiment

@@ -19,9 +19,9 @@ constexpr double kMarkCount = 5.0;
 
 /// 0 at the low end of the axis, 1 at the high end.
 double share(const SvgAxis& axis, double value) {
-  const double part = axis.logarithmic ? std::log(std::max(value, axis.low) / axis.low) /
-                                             std::log(axis.high / axis.low)
-                                       : (value - axis.low) / (axis.high - axis.low);
+  const double part = axis.isLogarithmic ? std::log(std::max(value, axis.low) / axis.low) /
+                                               std::log(axis.high / axis.low)
+                                         : (value - axis.low) / (axis.high - axis.low);
   return std::clamp(part, 0.0, 1.0);
 }
 
@@ -81,10 +81,10 @@ std::vector<std::pair<std::size_t, std::size_t>> piecesOf(const std::vector<SvgP
 
 std::string lineOf(const Plot& plot, const SvgSeries& series) {
   std::string path;
-  for (const auto& [begin, end] : piecesOf(series.line)) {
+  for (const auto& [begin, end] : piecesOf(series.points)) {
     for (std::size_t k = begin; k < end; ++k) {
-      path +=
-          fmt::format("{}{}", k == begin ? "M" : "L", at(plot, series.line[k].x, series.line[k].y));
+      path += fmt::format("{}{}", k == begin ? "M" : "L",
+                          at(plot, series.points[k].x, series.points[k].y));
     }
   }
   return path.empty() ? path : fmt::format("<path class='line' d='{}'/>", path);
@@ -95,13 +95,13 @@ std::string bandOf(const Plot& plot, const SvgSeries& series) {
     return {};
   }
   std::string path;
-  for (const auto& [begin, end] : piecesOf(series.line)) {
+  for (const auto& [begin, end] : piecesOf(series.points)) {
     for (std::size_t k = begin; k < end; ++k) {
       path += fmt::format("{}{}", k == begin ? "M" : "L",
-                          at(plot, series.line[k].x, series.bandLow[k]));
+                          at(plot, series.points[k].x, series.bandLow[k]));
     }
     for (std::size_t k = end; k-- > begin;) {
-      path += fmt::format("L{}", at(plot, series.line[k].x, series.bandHigh[k]));
+      path += fmt::format("L{}", at(plot, series.points[k].x, series.bandHigh[k]));
     }
     path += "Z";
   }
@@ -110,13 +110,13 @@ std::string bandOf(const Plot& plot, const SvgSeries& series) {
 
 std::string disksOf(const Plot& plot, const SvgSeries& series) {
   std::string text;
-  for (std::size_t k = 0; k < series.areas.size(); ++k) {
-    if (std::isnan(series.line[k].y)) {
+  for (std::size_t k = 0; k < series.diskAreas.size(); ++k) {
+    if (std::isnan(series.points[k].y)) {
       continue;
     }
     text += fmt::format("<circle class='disk' cx='{:.1f}' cy='{:.1f}' r='{:.1f}'/>",
-                        column(plot, series.line[k].x), row(plot, series.line[k].y),
-                        std::sqrt(series.areas[k] / 3.14159265));
+                        column(plot, series.points[k].x), row(plot, series.points[k].y),
+                        std::sqrt(series.diskAreas[k] / 3.14159265));
   }
   return text;
 }
@@ -125,7 +125,7 @@ std::string disksOf(const Plot& plot, const SvgSeries& series) {
 
 std::vector<double> axisTicks(const SvgAxis& axis) {
   std::vector<double> marks;
-  if (axis.logarithmic) {
+  if (axis.isLogarithmic) {
     const auto first = static_cast<int>(std::ceil(std::log10(axis.low) - 1e-9));
     const auto last = static_cast<int>(std::floor(std::log10(axis.high) + 1e-9));
     for (int power = first; power <= last; ++power) {
@@ -148,7 +148,7 @@ std::string renderSvg(const Plot& plot) {
   std::string text = fmt::format("<svg viewBox='0 0 {} {}' role='img' aria-label='{}'>", kWidth,
                                  kHeight, plot.title) +
                      gridOf(plot);
-  if (plot.diagonal) {
+  if (plot.drawsDiagonal) {
     text += fmt::format("<path class='guide' d='M{}L{}'/>", at(plot, plot.x.low, plot.y.low),
                         at(plot, plot.x.high, plot.y.high));
   }

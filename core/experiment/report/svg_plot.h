@@ -14,7 +14,7 @@ struct SvgAxis {
   std::string label;
   double low = 0.0;
   double high = 1.0;
-  bool logarithmic = false;
+  bool isLogarithmic = false;
 };
 
 /// Point of a line, in the units of the axes.
@@ -26,12 +26,12 @@ struct SvgPoint {
 /// Line, optionally with a band around it or a disk on each point.
 struct SvgSeries {
   std::string style; ///< CSS class for the color ("m0" to "m8")
-  std::vector<SvgPoint> line;
+  std::vector<SvgPoint> points;
   /// Lower border of the band at each point of the line; empty: no band.
   std::vector<double> bandLow;
   /// Upper border of the band at each point of the line; empty: no band.
   std::vector<double> bandHigh;
-  std::vector<double> areas; ///< area of the disk on each point, square pixels; empty: no disks
+  std::vector<double> diskAreas; ///< area of the disk on each point, square pixels; empty: no disks
 };
 
 /// Plot of lines and points, with its axes.
@@ -39,7 +39,7 @@ struct Plot {
   std::string title; ///< description for screen readers; not visible in the plot
   SvgAxis x;
   SvgAxis y;
-  bool diagonal = false; ///< true: a diagonal line is drawn from corner to corner
+  bool drawsDiagonal = false; ///< true: a diagonal line is drawn from corner to corner
   std::vector<SvgSeries> series;
 };
 

@@ -17,27 +17,28 @@ std::uint32_t hashOf(const std::string& text) {
 RandomDraws::RandomDraws(std::uint64_t seed, const std::string& name)
     : stream_(derivedSeed(seed, hashOf(name)), 0, 0, RandomPurpose::Start) {}
 
-double RandomDraws::uniform(double low, double high) {
+double RandomDraws::drawUniform(double low, double high) {
   return low + (high - low) * stream_.uniform(next_++);
 }
 
-double RandomDraws::normal(double sigma) {
+double RandomDraws::drawNormal(double sigma) {
   return sigma * stream_.normal4(next_++)[0];
 }
 
-int RandomDraws::integer(int low, int high) {
-  return low + static_cast<int>(std::floor(uniform(0.0, high - low + 1.0)));
+int RandomDraws::drawInteger(int low, int high) {
+  return low + static_cast<int>(std::floor(drawUniform(0.0, high - low + 1.0)));
 }
 
-Eigen::Vector3d RandomDraws::pointInBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
-  const double x = uniform(low.x(), high.x());
-  const double y = uniform(low.y(), high.y());
-  return {x, y, uniform(low.z(), high.z())};
+Eigen::Vector3d RandomDraws::drawPointInBox(const Eigen::Vector3d& low,
+                                            const Eigen::Vector3d& high) {
+  const double x = drawUniform(low.x(), high.x());
+  const double y = drawUniform(low.y(), high.y());
+  return {x, y, drawUniform(low.z(), high.z())};
 }
 
-Eigen::Vector3d RandomDraws::direction() {
-  const double z = uniform(-1.0, 1.0);
-  const double angle = uniform(0.0, kFullTurn);
+Eigen::Vector3d RandomDraws::drawDirection() {
+  const double z = drawUniform(-1.0, 1.0);
+  const double angle = drawUniform(0.0, kFullTurn);
   const double flat = std::sqrt(1.0 - z * z);
   return {flat * std::cos(angle), flat * std::sin(angle), z};
 }

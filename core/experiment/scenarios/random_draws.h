@@ -24,12 +24,12 @@ public:
   /// Different names have independent sequences.
   RandomDraws(std::uint64_t seed, const std::string& name);
 
-  double uniform(double low, double high);
-  double normal(double sigma);
-  int integer(int low, int high); ///< random integer from low to high, both included
-  bool coinFlip() { return integer(0, 1) == 1; }
-  Eigen::Vector3d pointInBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
-  Eigen::Vector3d direction(); ///< random unit vector, uniform over the sphere
+  double drawUniform(double low, double high);
+  double drawNormal(double sigma);
+  int drawInteger(int low, int high); ///< random integer from low to high, both included
+  bool flipCoin() { return drawInteger(0, 1) == 1; }
+  Eigen::Vector3d drawPointInBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
+  Eigen::Vector3d drawDirection(); ///< random unit vector, uniform over the sphere
 
 private:
   RandomStream stream_;

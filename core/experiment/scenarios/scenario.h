@@ -67,7 +67,7 @@ struct ScenarioRun {
   CameraRig rig; ///< calibration that the method receives
   /// True if methods know that calibration and time stamps are exact. Otherwise methods use their
   /// default assumptions about the errors.
-  bool exactSensing = false;
+  bool isSensingExact = false;
   /// True calibration of the cameras that rendered the images, valid until a camera is moved.
   CameraRig trueRig;
   std::vector<Target> targets;
@@ -77,7 +77,7 @@ struct ScenarioRun {
   Eigen::Vector3d startHalfSize = Eigen::Vector3d::Zero();
   double framesPerSecond = simulation::kDefaultFrameRate;
   std::int64_t frameCount = 0;
-  /// True trajectory, with one sample per target and frame. A sample is not `valid` while the
+  /// True trajectory, with one sample per target and frame. A sample is not `isValid` while the
   /// target is not in the scene. The position is the center of a ball, or the centroid of any other
   /// target.
   Trajectory truth;
@@ -88,7 +88,7 @@ struct ScenarioRun {
   std::vector<ScenarioEvent> events;
   /// Delay of the time stamps of each camera at the end of the run, without jitter, in seconds.
   /// Methods do not know this delay. Empty for real recordings.
-  std::vector<double> finalDelays = {};
+  std::vector<double> finalTimeStampDelays = {};
   /// Frames with a known truth, ascending. Only these frames are evaluated. If empty, all frames
   /// are evaluated.
   std::vector<std::int64_t> measuredFrames;
@@ -101,8 +101,8 @@ struct ScenarioRun {
   double markGatePx = 0.0;
   /// Number of objects in the images that fit the first target equally well in start position,
   /// color and size. If there are several, no image ever shows which object is the target, so a
-  /// correct method reports a probability of at most 1 / equalCandidates for an estimate.
-  int equalCandidates = 1;
+  /// correct method reports a probability of at most 1 / equalCandidateCount for an estimate.
+  int equalCandidateCount = 1;
   /// Returns the images of frame k. This is a pure function, so all methods see identical images.
   std::function<FrameSetPtr(std::int64_t)> frames;
 };
@@ -112,14 +112,14 @@ struct ScenarioDeclaration {
   std::string name;        ///< name, for example "S4-desk-cloud"
   std::string family;      ///< group of similar scenarios, for example "S4"
   std::string description; ///< what happens in the scenario
-  int seeds = 20;          ///< default number of runs in a report
+  int seedCount = 20;      ///< default number of runs in a report
   /// Creates the run for a seed and grade. Returns Undetermined if the random draws allow no run,
   /// for example if they find no position at which everything that must be visible is visible. The
   /// suite then skips this run. Any other error stops the suite.
   std::function<Result<ScenarioRun>(std::uint64_t seed, Grade grade)> make;
   /// True for real clips, which exist in grade `Real` only; false for rendered scenarios, which
   /// exist in all other grades.
-  bool recorded = false;
+  bool isRecorded = false;
   /// Loads the images and true boxes of a scenario recorded by one camera, for methods that follow
   /// boxes. Used instead of `make`.
   std::function<Result<BoxClip>()> clip = nullptr;

@@ -29,8 +29,8 @@ constexpr const char* kSilent =
 
 /// The paper's start with the ball about a meter away, as far as its 60 iterations take a cloud.
 ConvergenceCase typicalExecution() {
-  ConvergenceCase setup = figure3Case(1);
-  setup.iterations = kInstants.back();
+  ConvergenceCase setup = barreraFigure3Case(1);
+  setup.iterationCount = kInstants.back();
   return setup;
 }
 
@@ -161,18 +161,19 @@ constexpr const char* kSpreadSentence =
 /// How many iterations the runs of a case took, as a part of a sentence.
 std::string medianSentence(const ConvergenceResult& result) {
   return result.convergedRunCount == 0
-             ? fmt::format("none of {} converges", result.setup.runs)
+             ? fmt::format("none of {} converges", result.setup.runCount)
              : fmt::format("at iteration {:.0f} in the median of {} that converge, of {},",
-                           result.medianIterations, result.convergedRunCount, result.setup.runs);
+                           result.medianIterations, result.convergedRunCount,
+                           result.setup.runCount);
 }
 
 /// The claims of the paper about its figure 3, against the run of the pictures and further runs.
 Status assessFigure3(const std::map<int, Instant>& instants, const ConvergenceCase& setup,
                      const std::array<int, 2>& insideAtTwo, const ExperimentOptions& options,
                      FigurePage& page) {
-  const auto far = studyConvergence(figure3Case(options.runs, options.firstSeed));
+  const auto far = studyConvergence(barreraFigure3Case(options.runCount, options.firstSeed));
   const auto near =
-      studyConvergence(barreraConvergenceCases(options.runs, options.firstSeed).front());
+      studyConvergence(barreraConvergenceCases(options.runCount, options.firstSeed).front());
   if (!far || !near) {
     return tl::make_unexpected(far ? near.error() : far.error());
   }
@@ -180,7 +181,7 @@ Status assessFigure3(const std::map<int, Instant>& instants, const ConvergenceCa
     return (instants.at(iteration).estimate.mean - setup.ballPosition).norm();
   };
   page.addParagraph("Pictures and table are of the first of these seeds: " +
-                    describeSeeds(options.firstSeed, options.runs) + ".");
+                    describeSeeds(options.firstSeed, options.runCount) + ".");
   page.addHeading("What the paper says");
   // Two steps of 3 cm in front of a camera that is 14 cm away: its image never holds them all.
   const bool away = insideAtTwo[1] < 20;
@@ -235,7 +236,7 @@ Status writeBarreraFigure3(const ExperimentOptions& options) {
   page.addDataFile("instants.csv",
                    instantsCsv(*instants, setup, rig.front().opticalAxis(), inside));
   page.addDataFile("particles.csv", particlesCsv(*instants));
-  return page.write(options.folder);
+  return page.write(options.outputFolder);
 }
 
 Status writeBarreraFigure4(const ExperimentOptions& options) {
@@ -278,7 +279,7 @@ Status writeBarreraFigure4(const ExperimentOptions& options) {
                             inMillimeters(sideSpread(way.estimate, axis))));
   page.addDataFile("instants.csv", instantsCsv(*instants, setup, axis));
   page.addDataFile("particles.csv", particlesCsv(*instants));
-  return page.write(options.folder);
+  return page.write(options.outputFolder);
 }
 
 } // namespace dewpoint::experiment

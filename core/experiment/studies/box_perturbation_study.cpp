@@ -39,7 +39,7 @@ struct Claims {
   int wrong = 0;
 
   void add(const BoxConfidence& claim, bool isOn) {
-    const double similarity = claim.visible ? claim.similarity : 0.0;
+    const double similarity = claim.isVisible ? claim.similarity : 0.0;
     (isOn ? on : off) += similarity;
     ++(isOn ? framesOn : framesOff);
     wrong += !isOn && similarity > kSure ? 1 : 0;
@@ -56,27 +56,27 @@ Status follow(const BoxClip& clip, const std::vector<cv::Mat>& images, const Ima
     found.push_back(follower.step(images[frame]));
     if (const auto claim = follower.confidence(); claim && found.back()) {
       const double away = (found.back()->center() - clip.truth[frame].center()).norm();
-      claims.add(*claim, away <= clip.radius);
+      claims.add(*claim, away <= clip.hitRadiusPx);
     }
   }
-  const BoxMetrics metrics = measureBoxes(found, clip.truth, clip.radius);
+  const BoxMetrics metrics = measureBoxes(found, clip.truth, clip.hitRadiusPx);
   row.metrics.rmse += metrics.rmse;
   row.metrics.success += metrics.success;
   row.metrics.precision += metrics.precision;
   row.worstPrecision = std::min(row.worstPrecision, metrics.precision);
-  ++row.runs;
+  ++row.runCount;
   return {};
 }
 
 void conclude(const Claims& claims, BoxPerturbationRow& row) {
-  row.metrics.rmse /= row.runs;
-  row.metrics.success /= row.runs;
-  row.metrics.precision /= row.runs;
+  row.metrics.rmse /= row.runCount;
+  row.metrics.success /= row.runCount;
+  row.metrics.precision /= row.runCount;
   const int frames = claims.framesOn + claims.framesOff;
   row.reportsConfidence = frames > 0;
   row.similarityOnTarget = claims.on / std::max(1, claims.framesOn);
   row.similarityOffTarget = claims.off / std::max(1, claims.framesOff);
-  row.confidentlyWrong = double(claims.wrong) / std::max(1, frames);
+  row.confidentlyWrongShare = double(claims.wrong) / std::max(1, frames);
 }
 
 Result<BoxPerturbationRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,

@@ -14,12 +14,13 @@ namespace dewpoint::experiment {
 
 /// Difference between an inexact first box, as a user might draw it, and the true box.
 struct BoxPerturbation {
-  double scale = 1.0; ///< factor for width and height
-  double right = 0.0; ///< shift of the center to the right, in widths of the true box
-  double down = 0.0;  ///< downward shift of the center, in heights of the true box
+  double scale = 1.0;      ///< factor for width and height
+  double shiftRight = 0.0; ///< shift of the center to the right, in widths of the true box
+  double shiftDown = 0.0;  ///< downward shift of the center, in heights of the true box
 
   ImageBox appliedTo(const ImageBox& box) const {
-    return ImageBox::around(box.center() + Eigen::Vector2d(right * box.width, down * box.height),
+    return ImageBox::around(box.center() +
+                                Eigen::Vector2d(shiftRight * box.width, shiftDown * box.height),
                             scale * box.width, scale * box.height);
   }
 };
@@ -34,22 +35,23 @@ struct BoxPerturbationRow {
   std::string clip;
   std::string method; ///< name of the method, for example "histogram" or "csrt"
   double scale = 1.0; ///< scale of the first box
-  int runs = 0;       ///< number of runs: shifts times seeds
+  int runCount = 0;   ///< number of runs: shifts times seeds
   BoxMetrics metrics; ///< accuracy of the found boxes compared with the true boxes
   /// Smallest BoxMetrics::precision (fraction of frames on the target) of any run.
   double worstPrecision = 1.0;
   bool reportsConfidence =
       false; ///< true if the method reports its confidence; only then are the following fields set
   /// Mean reported similarity in frames in which the found center is within the clip's radius
-  /// (BoxClip::radius) of the true center.
+  /// (BoxClip::hitRadiusPx) of the true center.
   double similarityOnTarget = 0.0;
   /// Mean reported similarity in frames in which the found center is farther than the clip's radius
-  /// (BoxClip::radius) from the true center; the similarity counts as 0 if the method reports the
-  /// target as hidden.
+  /// (BoxClip::hitRadiusPx) from the true center; the similarity counts as 0 if the method reports
+  /// the target as hidden.
   double similarityOffTarget = 0.0;
   /// Fraction of the frames with a reported confidence in which the found center is farther than
-  /// the clip's radius (BoxClip::radius) from the true center although the similarity is above 0.9.
-  double confidentlyWrong = 0.0;
+  /// the clip's radius (BoxClip::hitRadiusPx) from the true center although the similarity is above
+  /// 0.9.
+  double confidentlyWrongShare = 0.0;
 };
 
 /// Returns the methods that are compared by default in the study of inexact first boxes

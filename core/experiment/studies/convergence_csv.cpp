@@ -23,7 +23,7 @@ std::string convergenceCsv(const std::vector<ConvergenceResult>& results) {
     const ConvergenceCase& setup = result.setup;
     text += fmt::format("{},{},{},{},{},{},{},{}", csvCell(setup.name), cellsOf(setup.ballPosition),
                         cellsOf(setup.startPosition), cellsOf(setup.startHalfSize), setup.firstSeed,
-                        setup.runs, result.convergedRunCount, result.accurateRunCount);
+                        setup.runCount, result.convergedRunCount, result.accurateRunCount);
     text += result.convergedRunCount > 0
                 ? fmt::format(",{:g},{:.6g},{:.6g}\n", result.medianIterations,
                               inMillimeters(result.rmse), inMillimeters(result.depthBias))
@@ -35,8 +35,8 @@ std::string convergenceCsv(const std::vector<ConvergenceResult>& results) {
 std::string driftCsv(const std::vector<DriftResult>& results) {
   std::string text = "first_seed,runs,iterations,mm_per_iteration\n";
   for (const DriftResult& result : results) {
-    text += fmt::format("{},{},{},{:.6g}\n", result.firstSeed, result.runs, result.iterations,
-                        inMillimeters(result.metersPerIteration));
+    text += fmt::format("{},{},{},{:.6g}\n", result.firstSeed, result.runCount,
+                        result.iterationCount, inMillimeters(result.metersPerIteration));
   }
   return text;
 }

@@ -20,8 +20,8 @@ std::string convergenceCsv(const std::vector<ConvergenceResult>& results);
 /// measureDrift().
 struct DriftResult {
   std::uint64_t firstSeed = kFirstTuningSeed;
-  int runs = 0;
-  int iterations = 0;
+  int runCount = 0;
+  int iterationCount = 0;
   double metersPerIteration = 0.0; ///< drift per iteration, meters
 };
 /// Returns the drift results as CSV, one row per result; the drift is in millimeters per iteration.

@@ -95,8 +95,8 @@ class BeliefObserver final : public FrameObserver {
 public:
   explicit BeliefObserver(const ConvergenceCallback& watch) : watch_(watch) {}
 
-  Status tracked(const TrackingRun& run) override {
-    watch_(static_cast<int>(run.iterations()), run, std::get<SphereEstimate>(run.estimate(0)));
+  Status onFrameTracked(const TrackingRun& run) override {
+    watch_(static_cast<int>(run.iterationCount()), run, std::get<SphereEstimate>(run.estimate(0)));
     return {};
   }
 
@@ -181,9 +181,9 @@ Result<ConvergenceResult> resultOf(const ConvergenceCase& setup, Trial& trial) {
   ConvergenceResult result{setup};
   std::vector<double> iterations;
   ErrorSum all;
-  for (int run = 0; run < setup.runs; ++run) {
+  for (int run = 0; run < setup.runCount; ++run) {
     const std::uint64_t seed = setup.firstSeed + static_cast<std::uint64_t>(run);
-    const auto path = pathOfRun(trial, seed, setup.iterations);
+    const auto path = pathOfRun(trial, seed, setup.iterationCount);
     if (!path) {
       return tl::make_unexpected(path.error());
     }
@@ -246,7 +246,7 @@ std::vector<ConvergenceCase> barreraConvergenceCases(int runs, std::uint64_t fir
        150},
       {"paper start, ball at 0.6 1.05 0.15, cameras at it", meterAway, kPaperStart,
        Eigen::Vector3d::Zero(), runs, 150, atTheBall, false},
-      figure3Case(runs, firstSeed),
+      barreraFigure3Case(runs, firstSeed),
       {"start beyond the ball, 0.5 0.9 0.15",
        near,
        {0.5, 0.9, 0.15},
@@ -262,7 +262,7 @@ std::vector<ConvergenceCase> barreraConvergenceCases(int runs, std::uint64_t fir
   return cases;
 }
 
-ConvergenceCase figure3Case(int runs, std::uint64_t firstSeed) {
+ConvergenceCase barreraFigure3Case(int runs, std::uint64_t firstSeed) {
   ConvergenceCase setup{"paper start, figure 3: ball at 0.3 1.1 0.15",
                         {0.3, 1.1, 0.15},
                         kPaperStart,
@@ -287,11 +287,11 @@ Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup) {
 Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
                         const ConvergenceCallback& watch) {
   return prepare(stillScene(setup), setup).and_then([&](Trial trial) {
-    return watchRun(trial, seed, setup.iterations, watch);
+    return watchRun(trial, seed, setup.iterationCount, watch);
   });
 }
 
-Result<std::vector<double>> driftCurve(int runs, int iterations, std::uint64_t firstSeed) {
+Result<std::vector<double>> measureDriftCurve(int runs, int iterations, std::uint64_t firstSeed) {
   ConvergenceCase setup;
   setup.ballPosition = {0.5, 0.5, 0.15};
   setup.startPosition = setup.ballPosition;
@@ -302,7 +302,7 @@ Result<std::vector<double>> driftCurve(int runs, int iterations, std::uint64_t f
 }
 
 Result<double> measureDrift(int runs, int iterations, std::uint64_t firstSeed) {
-  return driftCurve(runs, iterations, firstSeed).map([&](const std::vector<double>& moved) {
+  return measureDriftCurve(runs, iterations, firstSeed).map([&](const std::vector<double>& moved) {
     return moved.back() / iterations;
   });
 }

@@ -26,8 +26,8 @@ struct ConvergenceCase {
   /// Half sizes of the box in which the particles start, uniformly distributed; 0: they start at
   /// `startPosition`.
   Eigen::Vector3d startHalfSize = Eigen::Vector3d::Zero();
-  int runs = 100;
-  int iterations = 150;
+  int runCount = 100;
+  int iterationCount = 150;
   CameraRig cameras = simulation::demoRig();
   /// True: there are books, boxes and other objects on the desk, which can hide the ball.
   bool hasClutter = true;
@@ -65,7 +65,7 @@ std::vector<ConvergenceCase> barreraConvergenceCases(int runs = 100,
 /// the view of camera 1, at the position given in the paper. The ball is 1.1 m from camera 1 and
 /// completely visible in both images. Camera 2 is aimed at the ball. Camera 1 is aimed between the
 /// ball and the start, which are 35 degrees apart in its view.
-ConvergenceCase figure3Case(int runs = 100, std::uint64_t firstSeed = kFirstTuningSeed);
+ConvergenceCase barreraFigure3Case(int runs = 100, std::uint64_t firstSeed = kFirstTuningSeed);
 
 /// Runs one case with all its seeds and returns its results. The ball does not move.
 Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup);
@@ -79,8 +79,8 @@ Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
 
 /// Returns, for each iteration, how far (meters) the mean of the particle cloud has moved away from
 /// camera 1 since the start, averaged over runs; see measureDrift().
-Result<std::vector<double>> driftCurve(int runs, int iterations,
-                                       std::uint64_t firstSeed = kFirstTuningSeed);
+Result<std::vector<double>> measureDriftCurve(int runs, int iterations,
+                                              std::uint64_t firstSeed = kFirstTuningSeed);
 
 /// Returns the systematic drift of the particle cloud with a single camera (Barrera et al. 2005,
 /// section III, figures 4 and 5), averaged over runs: how far the cloud's mean moves away from

@@ -65,7 +65,7 @@ SvgSeries coneEdges(const Camera& camera, double length, const std::string& styl
   const Eigen::Vector2d right = apex + length * (forward - side);
   SvgSeries series;
   series.style = style;
-  series.line = {{left.x(), left.y()}, {apex.x(), apex.y()}, {right.x(), right.y()}};
+  series.points = {{left.x(), left.y()}, {apex.x(), apex.y()}, {right.x(), right.y()}};
   return series;
 }
 
@@ -174,7 +174,7 @@ Status writeBarreraFigure5(const ExperimentOptions& options) {
   ConvergenceCase setup;
   setup.ballPosition = kBall;
   setup.startPosition = kBall;
-  setup.iterations = kConeInstants.back();
+  setup.iterationCount = kConeInstants.back();
   setup.cameras.resize(1);
   const auto clouds = cloudsOfOneCamera(setup, options.firstSeed);
   if (!clouds) {
@@ -204,26 +204,26 @@ Status writeBarreraFigure5(const ExperimentOptions& options) {
   page.addDataFile(
       "cone.csv",
       numbersAsCsv({"step_m", "stay_at_0.25_m", "stay_at_0.5_m", "stay_at_1_m"}, columns));
-  return page.write(options.folder);
+  return page.write(options.outputFolder);
 }
 
 Status writeBarreraDrift(const ExperimentOptions& options) {
   constexpr int kIterations = 60; // of the curve; chosen
-  const auto moved = driftCurve(options.runs, kIterations, options.firstSeed);
+  const auto moved = measureDriftCurve(options.runCount, kIterations, options.firstSeed);
   if (!moved) {
     return tl::make_unexpected(moved.error());
   }
   FigurePage page("Drift of the estimate along the optical axis",
                   fmt::format("Only camera 1 looks, and the cloud starts on the ball. How far its "
                               "mean has moved away from the camera; mean of {} runs.",
-                              options.runs));
+                              options.runCount));
   Plot plot;
   plot.title = "Movement away from the camera";
   plot.x = {"iteration", 0.0, kIterations, false};
   plot.y = {"moved away, m", 0.0, 1.1 * std::max(0.01, std::ranges::max(*moved)), false};
   plot.series.push_back(lineSeries("m0", *moved, 1.0));
   page.addPlots({{"Movement away from camera 1", plot}});
-  page.addParagraph("Seeds " + describeSeeds(options.firstSeed, options.runs) + ".");
+  page.addParagraph("Seeds " + describeSeeds(options.firstSeed, options.runCount) + ".");
   page.addHeading("What the paper says");
   page.addClaim(
       "The particles move away from the camera along its optical axis, systematically.",
@@ -234,7 +234,7 @@ Status writeBarreraDrift(const ExperimentOptions& options) {
   std::vector<double> iterations(moved->size());
   std::iota(iterations.begin(), iterations.end(), 1.0);
   page.addDataFile("drift.csv", numbersAsCsv({"iteration", "moved_m"}, {iterations, *moved}));
-  return page.write(options.folder);
+  return page.write(options.outputFolder);
 }
 
 namespace {
@@ -254,8 +254,8 @@ Result<StartShares> sharesOf(const std::vector<ConvergenceCase>& cases,
     if (!result) {
       return tl::make_unexpected(result.error());
     }
-    shares.converged.push_back(double(result->convergedRunCount) / setup.runs);
-    shares.within.push_back(double(result->accurateRunCount) / setup.runs);
+    shares.converged.push_back(double(result->convergedRunCount) / setup.runCount);
+    shares.within.push_back(double(result->accurateRunCount) / setup.runCount);
     const double part = double(shares.converged.size()) / double(cases.size());
     if (!reportProgress(options, from + (to - from) * part)) {
       return tl::make_unexpected(stoppedExperimentError().error());
@@ -269,8 +269,8 @@ SvgSeries shareCurve(const std::string& style, const std::vector<double>& at,
   SvgSeries series;
   series.style = style;
   for (std::size_t k = 0; k < at.size(); ++k) {
-    series.line.push_back({at[k], shares[k]});
-    series.areas.push_back(area);
+    series.points.push_back({at[k], shares[k]});
+    series.diskAreas.push_back(area);
   }
   return series;
 }
@@ -293,13 +293,14 @@ Status writeBarreraStarts(const ExperimentOptions& options) {
   std::vector<ConvergenceCase> boxes;
   boxes.reserve(halves.size());
   for (const double half : halves) {
-    boxes.push_back({"box", kBall, kBall, Eigen::Vector3d::Constant(half), options.runs, 150});
+    boxes.push_back({"box", kBall, kBall, Eigen::Vector3d::Constant(half), options.runCount, 150});
     boxes.back().firstSeed = options.firstSeed;
   }
   std::vector<ConvergenceCase> points;
   points.reserve(beyond.size());
   for (const double y : beyond) {
-    points.push_back({"point", kBall, {0.5, y, 0.15}, Eigen::Vector3d::Zero(), options.runs, 150});
+    points.push_back(
+        {"point", kBall, {0.5, y, 0.15}, Eigen::Vector3d::Zero(), options.runCount, 150});
     points.back().firstSeed = options.firstSeed;
   }
   const auto boxShares = sharesOf(boxes, options, 0.0, 0.5);
@@ -315,28 +316,30 @@ Status writeBarreraStarts(const ExperimentOptions& options) {
                               "iterations. A run converges when the spread of its cloud falls "
                               "below {:.0f} mm for good: by that much one step of motion alone "
                               "scatters a point.",
-                              options.runs, inMillimeters(std::sqrt(3.0) * kMotionSigma)));
+                              options.runCount, inMillimeters(std::sqrt(3.0) * kMotionSigma)));
   page.addPlots({{"Evenly spread in a cube around the ball",
                   sharePlot("half its edge, m", halves, *boxShares)},
                  {"From one point (0.5, y, 0.15), at and beyond the ball",
                   sharePlot("y, m", beyond, *pointShares)}},
                 {{"m0", "the cloud has converged"}, {"m1", "and is within 3 cm of the ball"}});
-  page.addParagraph("Seeds " + describeSeeds(options.firstSeed, options.runs) + ".");
+  page.addParagraph("Seeds " + describeSeeds(options.firstSeed, options.runCount) + ".");
   page.addHeading("What the paper says");
   page.addClaim(
-      "From random starts it does not converge at all.", noConvergenceOutcome(boxShares->converged),
+      "From random starts it does not converge at all.",
+      outcomeOfNoConvergenceClaim(boxShares->converged),
       fmt::format("It depends on the volume, which the paper does not state: here {:.0f} % "
                   "converge from a cube of 0.4 m, {:.0f} % from one of 1 m, {:.0f} % from "
                   "one of 4 m.",
                   inPercent(boxShares->converged[2]), inPercent(boxShares->converged[4]),
                   inPercent(boxShares->converged.back())));
-  page.addClaim(
-      "From a start farther than the ball it does not converge at all.",
-      noConvergenceOutcome({pointShares->converged.begin() + 1, pointShares->converged.end()}),
-      fmt::format("It depends on how far: here {:.0f} % converge from 0.1 m beyond the "
-                  "ball, {:.0f} % from 0.3 m, {:.0f} % from 0.5 m.",
-                  inPercent(pointShares->converged[2]), inPercent(pointShares->converged[6]),
-                  inPercent(pointShares->converged.back())));
+  page.addClaim("From a start farther than the ball it does not converge at all.",
+                outcomeOfNoConvergenceClaim(
+                    {pointShares->converged.begin() + 1, pointShares->converged.end()}),
+                fmt::format("It depends on how far: here {:.0f} % converge from 0.1 m beyond the "
+                            "ball, {:.0f} % from 0.3 m, {:.0f} % from 0.5 m.",
+                            inPercent(pointShares->converged[2]),
+                            inPercent(pointShares->converged[6]),
+                            inPercent(pointShares->converged.back())));
   page.addParagraph(
       "Reproduced: fewer than 10 % converge from every start that was tried; in part: "
       "from some of them.");
@@ -345,7 +348,7 @@ Status writeBarreraStarts(const ExperimentOptions& options) {
   page.addDataFile("points.csv",
                    numbersAsCsv({"y_m", "share", "share_within_3_cm"},
                                 {beyond, pointShares->converged, pointShares->within}));
-  return page.write(options.folder);
+  return page.write(options.outputFolder);
 }
 
 } // namespace dewpoint::experiment

@@ -54,8 +54,8 @@ struct Convergence {
 };
 
 Convergence convergenceOf(const std::vector<double>& errors, const DynamicsSetup& setup) {
-  return {iterationsUntilBelow(errors, 0, setup.jumpIteration, kConverged),
-          iterationsUntilBelow(errors, setup.jumpIteration, int(errors.size()), kConverged)};
+  return {iterationsUntilErrorBelow(errors, 0, setup.jumpIteration, kConverged),
+          iterationsUntilErrorBelow(errors, setup.jumpIteration, int(errors.size()), kConverged)};
 }
 
 /// Errors as gray, black 2 m, white 0; a row per sigma, the smallest at the bottom.
@@ -104,8 +104,8 @@ Plot cloudPlot(const DynamicsRun& run) {
   plot.title = "Particles at six instants, along and across the jump";
   plot.x.label = "along the jump, m";
   plot.y.label = "across, m";
-  for (std::size_t k = 0; k < run.clouds.size(); ++k) {
-    plot.series.push_back(pointSeries(fmt::format("m{}", k), run.clouds[k], 0, 1));
+  for (std::size_t k = 0; k < run.particleClouds.size(); ++k) {
+    plot.series.push_back(pointSeries(fmt::format("m{}", k), run.particleClouds[k], 0, 1));
   }
   return plot;
 }
@@ -128,7 +128,7 @@ std::string cloudsCsv(std::span<const double> sigmas, std::span<const DynamicsRu
   std::string text = "motion_sigma_m,iteration,particle,x_m,y_m,z_m\n";
   for (std::size_t run = 0; run < runs.size(); ++run) {
     for (std::size_t k = 0; k < instants.size(); ++k) {
-      const Eigen::ArrayXXd& cloud = runs[run].clouds[k];
+      const Eigen::ArrayXXd& cloud = runs[run].particleClouds[k];
       for (Eigen::Index i = 0; i < cloud.rows(); ++i) {
         text += fmt::format("{},{},{},{},{},{}\n", sigmas[run], instants[k], i, cloud(i, 0),
                             cloud(i, 1), cloud(i, 2));
@@ -153,7 +153,7 @@ std::string spreadsCsv(std::span<const double> sigmas, std::span<const DynamicsR
 } // namespace
 
 Status writeDynamicsFigure6(const ExperimentOptions& options) {
-  const int runs = options.runs;
+  const int runs = options.runCount;
   FigurePage page("Error after a jump of the object (figure 6)", chosen(kStartsBeside));
   std::vector<std::vector<double>> columns(1);
   std::vector<std::pair<std::string, std::vector<double>>> curves;
@@ -164,9 +164,9 @@ Status writeDynamicsFigure6(const ExperimentOptions& options) {
   for (std::size_t k = 0; k < sigmas.size(); ++k) {
     DynamicsSetup setup;
     setup.motionSigma = sigmas[k];
-    const auto errors = meanErrors(setup, runs, options.firstSeed);
+    const auto errors = measureMeanErrors(setup, runs, options.firstSeed);
     const Convergence one = found.emplace_back(convergenceOf(errors, setup));
-    const double limit = maxTrackableSpeed(setup, 10, options.firstSeed);
+    const double limit = findMaxTrackableSpeed(setup, 10, options.firstSeed);
     const double most = distanceAdvancedTowardFarObject(setup, 10, options.firstSeed);
     rows.push_back({fmt::format("{:.2f} m", sigmas[k]), iterationsText(one.first),
                     fmt::format("{:.2f} m", errors[std::size_t(setup.jumpIteration)]),
@@ -204,7 +204,7 @@ Status writeDynamicsFigure6(const ExperimentOptions& options) {
   page.addDataFile("errors.csv", numbersAsCsv({"iteration", "error_sigma_0.03_m",
                                                "error_sigma_0.06_m", "error_sigma_0.10_m"},
                                               columns));
-  return page.write(options.folder);
+  return page.write(options.outputFolder);
 }
 
 Status writeDynamicsFigure7(const ExperimentOptions& options) {
@@ -218,7 +218,7 @@ Status writeDynamicsFigure7(const ExperimentOptions& options) {
     DynamicsSetup setup;
     setup.startPosition = setup.positionBeforeJump; // found already, whatever the sigma
     setup.motionSigma = kLowest + (kHighest - kLowest) * k / (kSigmas - 1);
-    errors.push_back(meanErrors(setup, options.runs, options.firstSeed));
+    errors.push_back(measureMeanErrors(setup, options.runCount, options.firstSeed));
     columns[0].push_back(setup.motionSigma);
     columns[1].push_back(convergenceOf(errors.back(), setup).again);
     columns[2].push_back(errors.back()[69]);
@@ -232,9 +232,9 @@ Status writeDynamicsFigure7(const ExperimentOptions& options) {
       "figure7",
       fmt::format("Mean error of {} runs: black 2 m, white 0. Across: iterations; upwards: "
                   "sigma_m from 0.001 to 0.3 m",
-                  options.runs),
+                  options.runCount),
       framed(errorImage(errors), kLowest, kHighest));
-  page.addParagraph("Seeds " + describeSeeds(options.firstSeed, options.runs) + ".");
+  page.addParagraph("Seeds " + describeSeeds(options.firstSeed, options.runCount) + ".");
   const auto at = [&](double sigma) {
     return std::size_t(std::lround((sigma - kLowest) / (kHighest - kLowest) * (kSigmas - 1)));
   };
@@ -261,7 +261,7 @@ Status writeDynamicsFigure7(const ExperimentOptions& options) {
       "again.csv",
       numbersAsCsv({"motion_sigma_m", "iterations_to_find_again", "error_at_70_m"}, columns));
   page.addDataFile("errors.csv", errorImageCsv(columns[0], errors));
-  return page.write(options.folder);
+  return page.write(options.outputFolder);
 }
 
 Status writeDynamicsFigure8(const ExperimentOptions& options) {
@@ -319,7 +319,7 @@ Status writeDynamicsFigure8(const ExperimentOptions& options) {
                             runs[0].errors[36]));
   page.addDataFile("spreads.csv", spreadsCsv(kSigmas, runs));
   page.addDataFile("clouds.csv", cloudsCsv(kSigmas, runs, instants));
-  return page.write(options.folder);
+  return page.write(options.outputFolder);
 }
 
 } // namespace dewpoint::experiment

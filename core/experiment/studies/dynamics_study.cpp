@@ -14,7 +14,7 @@ namespace {
 ParameterValues parametersOf(const DynamicsSetup& setup) {
   ParameterValues parameters(dynamicsParameters());
   // Within the declared ranges by construction of the studies.
-  (void)parameters.set("particles", setup.particles);
+  (void)parameters.set("particles", setup.particleCount);
   (void)parameters.set("motion_sigma", setup.motionSigma);
   (void)parameters.set("observation_sigma", setup.observationSigma);
   (void)parameters.set("start_x", setup.startPosition.x());
@@ -38,17 +38,17 @@ DynamicsRun follow(const DynamicsSetup& setup, const Path& truth, std::uint64_t 
   tracker.restart(seed);
   ThreadTeam team(1);
   DynamicsRun run;
-  for (int k = 0; k < setup.iterations; ++k) {
+  for (int k = 0; k < setup.iterationCount; ++k) {
     tracker.beginFrame(k, truth(k));
     const SphereEstimate estimate = tracker.iterate(team);
     run.errors.push_back((estimate.mean - truth(k)).norm());
     run.beliefSpreads.push_back(estimate.spread());
     Eigen::ArrayXXd cloud;
     Eigen::ArrayXd weights;
-    tracker.copyParticles(setup.particles, cloud, weights);
+    tracker.copyParticles(setup.particleCount, cloud, weights);
     run.cloudSpreads.push_back(spreadOf(cloud));
     if (std::ranges::binary_search(instants, k)) {
-      run.clouds.push_back(std::move(cloud));
+      run.particleClouds.push_back(std::move(cloud));
     }
   }
   return run;
@@ -75,8 +75,9 @@ DynamicsRun runDynamics(const DynamicsSetup& setup, std::uint64_t seed,
   return follow(setup, path, seed, instants);
 }
 
-std::vector<double> meanErrors(const DynamicsSetup& setup, int runs, std::uint64_t firstSeed) {
-  std::vector<double> sums(static_cast<std::size_t>(setup.iterations), 0.0);
+std::vector<double> measureMeanErrors(const DynamicsSetup& setup, int runs,
+                                      std::uint64_t firstSeed) {
+  std::vector<double> sums(static_cast<std::size_t>(setup.iterationCount), 0.0);
   for (int k = 0; k < runs; ++k) {
     const DynamicsRun run = runDynamics(setup, firstSeed + static_cast<std::uint64_t>(k));
     for (std::size_t at = 0; at < sums.size(); ++at) {
@@ -86,7 +87,7 @@ std::vector<double> meanErrors(const DynamicsSetup& setup, int runs, std::uint64
   return sums;
 }
 
-int iterationsUntilBelow(const std::vector<double>& errors, int from, int end, double bound) {
+int iterationsUntilErrorBelow(const std::vector<double>& errors, int from, int end, double bound) {
   int last = end; // the last one that is not below
   while (last > from && errors[static_cast<std::size_t>(last - 1)] < bound) {
     --last;
@@ -94,12 +95,12 @@ int iterationsUntilBelow(const std::vector<double>& errors, int from, int end, d
   return last == end ? -1 : last - from + 1;
 }
 
-double maxTrackableSpeed(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
+double findMaxTrackableSpeed(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
   // Chosen: the limit is known to a 256th of the interval in which it lies.
   constexpr int kSteps = 60;
   constexpr int kHalvings = 8;
   setup.startPosition = Eigen::Vector3d::Zero();
-  setup.iterations = kSteps;
+  setup.iterationCount = kSteps;
   double kept = 0.0;
   double lost = 10.0 * setup.motionSigma;
   for (int k = 0; k < kHalvings; ++k) {
@@ -113,7 +114,7 @@ double distanceAdvancedTowardFarObject(DynamicsSetup setup, int runs, std::uint6
   static constexpr double kFar = 50.0; // meters; chosen: beyond what a step can reach
   constexpr int kSteps = 40;           // iterations of which the mean is taken; chosen
   setup.startPosition = Eigen::Vector3d::Zero();
-  setup.iterations = kSteps;
+  setup.iterationCount = kSteps;
   double advance = 0.0;
   for (int k = 0; k < runs; ++k) {
     const DynamicsRun run = follow(setup, [](int) { return Eigen::Vector3d(kFar, 0.0, 0.0); },

@@ -17,7 +17,7 @@ namespace {
 /// A figure that is begun only where its report can be written.
 template <Status (*Figure)(const ExperimentOptions&)>
 Status intoFolder(const ExperimentOptions& options) {
-  return prepareReportFolder(options.folder).and_then([&] { return Figure(options); });
+  return prepareReportFolder(options.outputFolder).and_then([&] { return Figure(options); });
 }
 
 } // namespace
@@ -74,7 +74,7 @@ std::span<const FigureExperiment> figureExperiments() {
                        .description =
                            "Mohedano et al. 2009, figures 1 and 3: the regions that move in a "
                            "camera's images, and the likelihood of a person at each pixel.",
-                       .runs = 1,
+                       .runCount = 1,
                        .run = &intoFolder<&writeMohedanoMotionFigures>,
                        .group = ExperimentGroup::Mohedano},
   };
@@ -83,7 +83,7 @@ std::span<const FigureExperiment> figureExperiments() {
 
 std::vector<const FigureExperiment*> listedExperiments() {
   std::vector<const FigureExperiment*> listed;
-  for (const auto& some : {figureExperiments(), studyExperiments()}) {
+  for (const auto& some : {figureExperiments(), boxAndPeopleExperiments()}) {
     for (const FigureExperiment& experiment : some) {
       listed.push_back(&experiment);
     }

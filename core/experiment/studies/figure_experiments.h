@@ -23,11 +23,11 @@ struct FigureExperiment {
   std::string_view name;        ///< name on the command line
   std::string_view title;       ///< name in menus and reports
   std::string_view description; ///< what the experiment shows, and its source
-  int runs;                     ///< default number of seeds per case
+  int runCount;                 ///< default number of seeds per case
   /// Runs the experiment and writes its report. Returns FileUnwritable, before any computation
   /// starts, if the output folder cannot be written, and Canceled if the user stops it.
   Status (*run)(const ExperimentOptions& options);
-  std::string_view report = "report.html"; ///< report file in the output folder
+  std::string_view reportFile = "report.html"; ///< report file in the output folder
   bool usesRecordings = false;
   bool hasClothesOption = false;
   ExperimentGroup group = ExperimentGroup::Barrera;
@@ -35,8 +35,8 @@ struct FigureExperiment {
 
 /// Returns the experiments that reproduce figures of the papers.
 std::span<const FigureExperiment> figureExperiments();
-/// Returns all experiments, including studyExperiments(), in menu order: by group, with figures
-/// first within each group.
+/// Returns all experiments, including boxAndPeopleExperiments(), in menu order: by group, with
+/// figures first within each group.
 std::vector<const FigureExperiment*> listedExperiments();
 
 } // namespace dewpoint::experiment

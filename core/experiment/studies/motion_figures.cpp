@@ -88,14 +88,14 @@ Result<std::map<std::int64_t, MotionFrame>> motionFrames(const OfficeRenderer& r
     if (!reportProgress(options, double(frame + 1) / double(count))) {
       return tl::make_unexpected(stoppedExperimentError().error());
     }
-    const cv::Mat mask = run->capability<PeopleFinding>()->foreground(0);
+    const cv::Mat mask = run->capability<PeopleFinding>()->foregroundMask(0);
     if (mask.empty()) {
       continue; // still learning
     }
     MotionFrame& shown = frames[frame];
     shown.mask = mask.clone();
     shown.people = peopleInView(people);
-    shown.quality = maskQuality(mask, people);
+    shown.quality = measureMaskQuality(mask, people);
     if (frame == pictured) {
       shown.image = set->frames[0]->image;
       shown.map = run->capability<MotionMapping>()->motionLikelihoodMaps().front();
@@ -170,7 +170,7 @@ MaskNumbers maskNumbersOf(const OfficeScene& scene,
     numbers.times.push_back(scene.timeOf(frame));
   }
   numbers.regions = valuesOverTime(
-      frames, [](const MotionFrame& shown) { return double(shown.quality.regions); });
+      frames, [](const MotionFrame& shown) { return double(shown.quality.regionCount); });
   numbers.people =
       valuesOverTime(frames, [](const MotionFrame& shown) { return double(shown.people); });
   numbers.recalls =
@@ -190,7 +190,7 @@ Plot numberPlot(const MaskNumbers& numbers, const std::string& what, double high
     SvgSeries& series = plot.series.emplace_back();
     series.style = style;
     for (std::size_t k = 0; k < values->size(); ++k) {
-      series.line.push_back({numbers.times[k], (*values)[k]});
+      series.points.push_back({numbers.times[k], (*values)[k]});
     }
   }
   return plot;
@@ -250,14 +250,14 @@ void assessMasks(const MotionFrame& nearest, const MaskNumbers& numbers, FigureP
 
 } // namespace
 
-MaskQuality maskQuality(const cv::Mat& mask, const cv::Mat& people) {
+MaskQuality measureMaskQuality(const cv::Mat& mask, const cv::Mat& people) {
   MaskQuality quality;
   cv::Mat labels;
   cv::Mat statistics;
   cv::Mat centers;
   const int count = cv::connectedComponentsWithStats(mask, labels, statistics, centers, 8);
   for (int label = 1; label < count; ++label) { // 0 is the background
-    quality.regions += statistics.at<int>(label, cv::CC_STAT_AREA) >= kMinRegionArea ? 1 : 0;
+    quality.regionCount += statistics.at<int>(label, cv::CC_STAT_AREA) >= kMinRegionArea ? 1 : 0;
   }
   const cv::Mat isPerson = people != 0;
   const int both = cv::countNonZero(isPerson & mask);
@@ -313,7 +313,7 @@ Status writeMohedanoMotionFigures(const ExperimentOptions& options) {
   const MaskNumbers numbers = maskNumbersOf(scene, *frames);
   showNumbers(numbers, page);
   assessMasks(shown, numbers, page);
-  return page.write(options.folder);
+  return page.write(options.outputFolder);
 }
 
 } // namespace dewpoint::experiment

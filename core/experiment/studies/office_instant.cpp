@@ -23,7 +23,7 @@ OfficeInstant renderInstant(const PeopleRecording& recording, const OfficeRender
   instant.seeingCameraCounts.assign(scene.people.size(), 0);
   instant.frames = recording.frames(frame);
   for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
-    const cv::Mat who = renderer.visiblePeople(k, frame);
+    const cv::Mat who = renderer.visiblePeopleMask(k, frame);
     for (std::size_t person = 0; person < scene.people.size(); ++person) {
       const bool seen = cv::countNonZero(who == static_cast<int>(person + 1)) >= kMinVisiblePixels;
       instant.seeingCameraCounts[person] += seen ? 1 : 0;

@@ -16,12 +16,13 @@ constexpr double kMeterStep = 1e-4;  // m
 constexpr double kVolumeStep = 1e-4; // m³
 
 void add(const PeopleTrial& trial, Fingerprint& fingerprint) {
-  fingerprint.add(trial.identitiesKept ? "kept" : "not kept");
+  fingerprint.add(trial.hasKeptIdentities ? "kept" : "not kept");
   fingerprint.add(trial.identitySwitches, 1.0);
   const PersonResult& allPersonsResult = trial.allPersonsResult;
   for (const double share :
-       {trial.mota, trial.hota, trial.longestGhost, trial.longestMissed, allPersonsResult.found,
-        allPersonsResult.silhouette.recall, allPersonsResult.silhouette.precision}) {
+       {trial.mota, trial.hota, trial.longestGhostSeconds, trial.longestMissedSeconds,
+        allPersonsResult.found, allPersonsResult.silhouette.recall,
+        allPersonsResult.silhouette.precision}) {
     fingerprint.add(share, kShareStep);
   }
   fingerprint.add(trial.motp, kMeterStep);

@@ -33,7 +33,7 @@ Gathering gatheringAt(const OfficeScene& scene, double time) {
   Gathering result;
   std::vector<Eigen::Vector2d> positions;
   for (const simulation::Walker& walker : scene.people) {
-    const Eigen::Vector2d position = walker.position(time);
+    const Eigen::Vector2d position = walker.positionAt(time);
     if (!walker.isPresentAt(time) || position.cwiseAbs().maxCoeff() > kHalfFloor) {
       continue;
     }
@@ -91,7 +91,7 @@ cv::Mat emptyFloor(const CameraRig& rig) {
 
 void drawPerson(const PersonEstimate& person, const PersonShape& shape, cv::Mat& floor) {
   const cv::Scalar color = identityColor(person.identity);
-  for (const auto& level : shape.ground) {
+  for (const auto& level : shape.groundCurves) {
     for (const LevelCurve& curve : level) {
       std::vector<cv::Point> points(curve.size());
       std::ranges::transform(curve, points.begin(), onFloor);
@@ -135,7 +135,7 @@ cv::Mat drawPeopleImage(const PeopleFinding& people, const FrameSet& frames, con
   const cv::Mat views = folded(peopleOverlay(people, frames, rig, kViewWidth), kViewWidth);
   cv::Mat floor = emptyFloor(rig);
   for (const PersonEstimate& person : people.people()) {
-    drawPerson(person, personShape(people.body(person.identity)), floor);
+    drawPerson(person, personShape(people.bodyOf(person.identity)), floor);
   }
   for (const TrackPoint& person : truth) {
     cv::drawMarker(floor, onFloor(person.position.head<2>()), {255, 255, 255},

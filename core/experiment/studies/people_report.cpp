@@ -18,8 +18,8 @@ namespace {
 /// A requirement of the report.
 struct Bar {
   std::string words;
-  bool reached = false;
-  int runs = 0; ///< that it was judged by
+  bool isMet = false;
+  int runCount = 0; ///< that it was judged by
 };
 
 constexpr double kLongestFault = 1.0; ///< seconds that are required
@@ -28,24 +28,25 @@ constexpr int kBarRuns = 30;          ///< that the bars are for
 /// At least `least` of 30 runs keep everybody's identity.
 Bar keeps(const PeopleSummary& one, const std::string& who, int least) {
   return {fmt::format("{}: keeps identities in at least {} of {} runs (here in {} of {})", who,
-                      least, kBarRuns, one.keptRunCount, one.runs),
-          one.keptRunCount * kBarRuns >= least * one.runs, one.runs};
+                      least, kBarRuns, one.keptRunCount, one.runCount),
+          one.keptRunCount * kBarRuns >= least * one.runCount, one.runCount};
 }
 
 /// What the paper says of motion alone: it mixes people up where MS+C is to keep them.
 Bar loses(const PeopleSummary& one, const std::string& who, int least) {
   return {fmt::format("{}: loses identities, that is keeps them in fewer than {} of {} runs (here "
                       "lost in {} of {}, kept in {})",
-                      who, least, kBarRuns, one.runs - one.keptRunCount, one.runs,
+                      who, least, kBarRuns, one.runCount - one.keptRunCount, one.runCount,
                       one.keptRunCount),
-          one.keptRunCount * kBarRuns < least * one.runs, one.runs};
+          one.keptRunCount * kBarRuns < least * one.runCount, one.runCount};
 }
 
 Bar noFault(const PeopleSummary& one, const std::string& who) {
   return {fmt::format("{}: no ghost and nobody missed for longer than 1 s (at most {:.2f} s and "
                       "{:.2f} s in {} runs)",
-                      who, one.longestGhost, one.longestMissed, one.runs),
-          one.longestGhost <= kLongestFault && one.longestMissed <= kLongestFault, one.runs};
+                      who, one.longestGhostSeconds, one.longestMissedSeconds, one.runCount),
+          one.longestGhostSeconds <= kLongestFault && one.longestMissedSeconds <= kLongestFault,
+          one.runCount};
 }
 
 std::vector<Bar> barsOf(const std::vector<PeopleSummary>& summaries) {
@@ -55,7 +56,7 @@ std::vector<Bar> barsOf(const std::vector<PeopleSummary>& summaries) {
   std::vector<Bar> bars;
   for (const PeopleSummary& one : summaries) {
     const bool different = one.clothes == PeopleClothes::Different;
-    const bool isOurs = one.method == "people";
+    const bool isDewpointMethod = one.method == "people";
     const bool comesAndGoes = one.scenario == "enter-leave";
     if (one.grade == Grade::Wild) {
       continue; // measured; nothing is required of it
@@ -63,18 +64,18 @@ std::vector<Bar> barsOf(const std::vector<PeopleSummary>& summaries) {
     const std::string who = fmt::format("{}, grade {}, {} clothes, {}", one.scenario,
                                         gradeName(one.grade), clothesName(one.clothes), one.method);
     if (!isPeopleScenarioOfPaper(one.scenario)) {
-      if (isOurs) {
+      if (isDewpointMethod) {
         bars.push_back(keeps(one, who, different ? kDifferent : kSimilar));
       }
       continue;
     }
-    if (isOurs && comesAndGoes) {
+    if (isDewpointMethod && comesAndGoes) {
       bars.push_back(noFault(one, who));
     }
-    if (different && (one.method == "mohedano-msc" || (isOurs && comesAndGoes))) {
+    if (different && (one.method == "mohedano-msc" || (isDewpointMethod && comesAndGoes))) {
       bars.push_back(keeps(one, who, kDifferent));
     }
-    if (!different && isOurs) {
+    if (!different && isDewpointMethod) {
       bars.push_back(keeps(one, who, kSimilar));
     }
     if (different && one.method == "mohedano-ms" && one.scenario != "apart" && !comesAndGoes) {
@@ -86,8 +87,8 @@ std::vector<Bar> barsOf(const std::vector<PeopleSummary>& summaries) {
 
 /// Whether a bar is reached; of fewer runs than it is for, only how it looks.
 std::string assessmentOf(const Bar& bar) {
-  const char* word = bar.reached ? "yes" : "no";
-  return bar.runs >= kBarRuns ? word : fmt::format("so far {}", word);
+  const char* word = bar.isMet ? "yes" : "no";
+  return bar.runCount >= kBarRuns ? word : fmt::format("so far {}", word);
 }
 
 /// The paper's figure 4(a), of the methods that it compares.
@@ -139,7 +140,7 @@ std::vector<std::string> heightRow(const std::vector<PeopleTrial>& trials, const
     if (trial.method != one.method || trial.clothes != one.clothes || trial.grade != one.grade) {
       continue;
     }
-    for (const PersonResult& person : trial.persons) {
+    for (const PersonResult& person : trial.personResults) {
       if (person.height >= height.from && person.height < height.to) {
         ++people;
         found.add(person.found);
@@ -163,7 +164,7 @@ void addHeights(const std::vector<PeopleTrial>& trials, FigurePage& page) {
   static constexpr std::array<HeightClass, 3> kClasses{
       {{0.0, 1.3, "below 1.3 m"}, {1.3, 1.6, "1.3 to 1.6 m"}, {1.6, 3.0, "1.6 m and more"}}};
   const bool anySmall = std::ranges::any_of(trials, [](const PeopleTrial& trial) {
-    return std::ranges::any_of(trial.persons, [](const PersonResult& person) {
+    return std::ranges::any_of(trial.personResults, [](const PersonResult& person) {
       return person.height < simulation::kAdultHeight;
     });
   });
@@ -252,14 +253,15 @@ FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTri
   rows.reserve(summaries.size());
   for (const PeopleSummary& one : summaries) {
     rows.push_back({gradeName(one.grade), clothesName(one.clothes), one.method,
-                    fmt::format("{} of {}", one.keptRunCount, one.runs),
+                    fmt::format("{} of {}", one.keptRunCount, one.runCount),
                     std::to_string(one.identitySwitches), fmt::format("{:.3f}", one.mota),
                     fmt::format("{:.3f}", one.hota), fmt::format("{:.0f}", inMillimeters(one.motp)),
-                    fmt::format("{:.3f}", one.gospa), fmt::format("{:.2f}", one.longestGhost),
-                    fmt::format("{:.2f}", one.longestMissed), fmt::format("{:.3f}", one.hullVolume),
-                    fmt::format("{:.2f}", one.stepMs), tableCell(inPercent(one.found), 0),
-                    tableCell(one.silhouette.recall, 2), tableCell(one.silhouette.precision, 2),
-                    tableCell(one.silhouette.iou, 2)});
+                    fmt::format("{:.3f}", one.gospa),
+                    fmt::format("{:.2f}", one.longestGhostSeconds),
+                    fmt::format("{:.2f}", one.longestMissedSeconds),
+                    fmt::format("{:.3f}", one.hullVolume), fmt::format("{:.2f}", one.stepMs),
+                    tableCell(inPercent(one.found), 0), tableCell(one.silhouette.recall, 2),
+                    tableCell(one.silhouette.precision, 2), tableCell(one.silhouette.iou, 2)});
   }
   page.addTable({"grade", "clothes", "method", "identities kept", "switches", "MOTA", "HOTA",
                  "MOTP mm", "GOSPA m", "longest ghost s", "longest missed s", "95 % volume m³",
@@ -268,7 +270,7 @@ FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTri
   page.addHeading("Expected results, and whether they were reached");
   addCoverage(summaries, page);
   for (const Bar& bar : barsOf(summaries)) {
-    page.addRequirement(assessmentOf(bar), bar.reached, bar.words);
+    page.addRequirement(assessmentOf(bar), bar.isMet, bar.words);
   }
   page.addParagraph(kHowToRead);
   addHeights(trials, page);

@@ -109,21 +109,21 @@ public:
     result.clothes = setup.clothes;
     result.method = method_;
     result.seed = setup.seed;
-    const ClearMot clear = clearMot(frames_, kPeopleGate);
+    const ClearMot clear = computeClearMot(frames_, kPeopleGate);
     result.mota = clear.mota();
     result.motp = clear.motp();
     result.identitySwitches = static_cast<int>(clear.identitySwitches);
-    result.hota = hota(frames_, kPeopleGate).hota;
+    result.hota = computeHota(frames_, kPeopleGate).hota;
     result.gospa = averageGospa(frames_, {kPeopleGate, 2.0}).mean;
-    result.longestGhost = ghosts_.longest();
-    result.longestMissed = missed_.longest();
+    result.longestGhostSeconds = ghosts_.longest();
+    result.longestMissedSeconds = missed_.longest();
     result.hullVolume = volumes_ > 0 ? volume_ / volumes_ : 0.0;
     result.stepMs = steps_ > 0 ? inMilliseconds(seconds_) / steps_ : 0.0;
     result.pictures = pictures_;
     result.allPersonsResult = everybody_.result(0.0);
-    result.persons.reserve(tallies_.size());
+    result.personResults.reserve(tallies_.size());
     for (std::size_t k = 0; k < tallies_.size(); ++k) {
-      result.persons.push_back(tallies_[k].result(scenario.scene.people[k].height));
+      result.personResults.push_back(tallies_[k].result(scenario.scene.people[k].height));
     }
     if (scenario.timeBeforeMeeting > 0.0) {
       const auto at = [&](double time) {
@@ -131,10 +131,10 @@ public:
             static_cast<std::size_t>(std::lround(time * scenario.scene.framesPerSecond));
         return frames_[std::min(frame, frames_.size() - 1)];
       };
-      result.identitiesKept = areIdentitiesKept(at(scenario.timeBeforeMeeting),
-                                                at(scenario.timeAfterMeeting), kPeopleGate);
+      result.hasKeptIdentities = areIdentitiesKept(at(scenario.timeBeforeMeeting),
+                                                   at(scenario.timeAfterMeeting), kPeopleGate);
     } else {
-      result.identitiesKept = clear.identitySwitches == 0;
+      result.hasKeptIdentities = clear.identitySwitches == 0;
     }
     return result;
   }
@@ -195,7 +195,7 @@ private:
     std::map<int, ConvexHull> hulls;
     for (const PersonEstimate& person : found().people()) {
       const ConvexHull& hull =
-          hulls.emplace(person.identity, bodyHull(found().body(person.identity))).first->second;
+          hulls.emplace(person.identity, bodyHull(found().bodyOf(person.identity))).first->second;
       if (instant.frames->index % kVolumeEvery == 0) {
         volume_ += hull.volume();
         ++volumes_;
@@ -324,7 +324,7 @@ Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
   if (!all) {
     return tl::make_unexpected(all.error());
   }
-  const OfficeRenderer renderer(recording.scene, recording.views);
+  const OfficeRenderer renderer(recording.scene, recording.roomViews);
   const auto picturedInstants =
       setup.drawsPictures ? chooseInstantsToShow(*scenario) : std::vector<PeopleInstant>();
   for (std::int64_t frame = 0; frame < scenario->scene.frameCount; ++frame) {

@@ -33,7 +33,7 @@ struct PeopleTrial {
   std::uint64_t seed = 0;
   /// True if every person had an identity before the meeting, and the same identity after the
   /// meeting.
-  bool identitiesKept = false;
+  bool hasKeptIdentities = false;
   double mota = 0.0;
   double motp = 0.0; ///< mean distance of matches (ClearMot::motp()), meters
   double hota = 0.0;
@@ -41,15 +41,15 @@ struct PeopleTrial {
   int identitySwitches = 0;
   /// Longest time, in seconds, during which an estimated person has no true person nearby (within
   /// kPeopleGate).
-  double longestGhost = 0.0;
+  double longestGhostSeconds = 0.0;
   /// Longest time during which a person has no estimate although at least two cameras see the
   /// person, seconds.
-  double longestMissed = 0.0;
+  double longestMissedSeconds = 0.0;
   /// Volume that contains 95 % of a person (bodyHull()), m³; mean over people and frames.
   double hullVolume = 0.0;
-  double stepMs = 0.0;               ///< mean CPU time per frame with people, ms
-  PersonResult allPersonsResult;     ///< results over all people in the scene
-  std::vector<PersonResult> persons; ///< results per person, in scene order
+  double stepMs = 0.0;                     ///< mean CPU time per frame with people, ms
+  PersonResult allPersonsResult;           ///< results over all people in the scene
+  std::vector<PersonResult> personResults; ///< results per person, in scene order
   /// Images of the frames that are chosen to be shown (chooseInstantsToShow()), if requested.
   std::vector<PeopleImage> pictures;
 };

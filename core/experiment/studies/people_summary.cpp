@@ -54,10 +54,10 @@ std::vector<PeopleSummary> summarize(const std::vector<PeopleTrial>& trials) {
       silhouettes.emplace_back();
     }
     PeopleSummary& sum = *found;
-    ++sum.runs;
-    sum.keptRunCount += trial.identitiesKept ? 1 : 0;
+    ++sum.runCount;
+    sum.keptRunCount += trial.hasKeptIdentities ? 1 : 0;
     sum.identitySwitches += trial.identitySwitches;
-    const double share = 1.0 / sum.runs;
+    const double share = 1.0 / sum.runCount;
     sum.mota += share * (trial.mota - sum.mota);
     sum.hota += share * (trial.hota - sum.hota);
     sum.gospa += share * (trial.gospa - sum.gospa);
@@ -68,8 +68,8 @@ std::vector<PeopleSummary> summarize(const std::vector<PeopleTrial>& trials) {
       sum.motp += (trial.motp - sum.motp) / ++count;
     }
     silhouettes[static_cast<std::size_t>(found - all.begin())].add(trial.allPersonsResult);
-    sum.longestGhost = std::max(sum.longestGhost, trial.longestGhost);
-    sum.longestMissed = std::max(sum.longestMissed, trial.longestMissed);
+    sum.longestGhostSeconds = std::max(sum.longestGhostSeconds, trial.longestGhostSeconds);
+    sum.longestMissedSeconds = std::max(sum.longestMissedSeconds, trial.longestMissedSeconds);
   }
   for (std::size_t k = 0; k < all.size(); ++k) {
     all[k].found = silhouettes[k].found.mean();
@@ -92,15 +92,16 @@ std::string peopleTableHeader() {
 }
 
 std::string peopleTableRow(const PeopleSummary& one) {
-  const Interval interval = wilsonInterval({one.keptRunCount, one.runs});
+  const Interval interval = wilsonInterval({one.keptRunCount, one.runCount});
   return fmt::format(
       "{:<17} {:<5} {:<9} {:<13} {:>3}/{:<3} {:>5.0f}..{:<4.0f} % {:>6} {:>6.3f} {:>6.3f} "
       "{:>7.0f} {:>7.3f} {:>6.2f} {:>6.2f} {:>6.3f} {:>6.2f} {:>6} {:>6} {:>6} {:>6}",
       one.scenario, gradeName(one.grade), clothesName(one.clothes), one.method, one.keptRunCount,
-      one.runs, inPercent(interval.low), inPercent(interval.high), one.identitySwitches, one.mota,
-      one.hota, inMillimeters(one.motp), one.gospa, one.longestGhost, one.longestMissed,
-      one.hullVolume, one.stepMs, tableCell(one.found, 3), tableCell(one.silhouette.recall, 3),
-      tableCell(one.silhouette.precision, 3), tableCell(one.silhouette.iou, 3));
+      one.runCount, inPercent(interval.low), inPercent(interval.high), one.identitySwitches,
+      one.mota, one.hota, inMillimeters(one.motp), one.gospa, one.longestGhostSeconds,
+      one.longestMissedSeconds, one.hullVolume, one.stepMs, tableCell(one.found, 3),
+      tableCell(one.silhouette.recall, 3), tableCell(one.silhouette.precision, 3),
+      tableCell(one.silhouette.iou, 3));
 }
 
 std::string peopleTrialsCsv(const std::vector<PeopleTrial>& trials) {
@@ -109,13 +110,13 @@ std::string peopleTrialsCsv(const std::vector<PeopleTrial>& trials) {
       "longest_ghost_s,longest_missed_s,hull_volume_m3,step_ms,found,"
       "silhouette_recall,silhouette_precision,silhouette_iou\n";
   for (const PeopleTrial& one : trials) {
-    text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", one.scenario,
-                    gradeName(one.grade), clothesName(one.clothes), one.method, one.seed,
-                    one.identitiesKept ? 1 : 0, one.mota, one.motp, one.hota, one.gospa,
-                    one.identitySwitches, one.longestGhost, one.longestMissed, one.hullVolume,
-                    one.stepMs, one.allPersonsResult.found, one.allPersonsResult.silhouette.recall,
-                    one.allPersonsResult.silhouette.precision, one.allPersonsResult.silhouette.iou);
+    text += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", one.scenario,
+        gradeName(one.grade), clothesName(one.clothes), one.method, one.seed,
+        one.hasKeptIdentities ? 1 : 0, one.mota, one.motp, one.hota, one.gospa,
+        one.identitySwitches, one.longestGhostSeconds, one.longestMissedSeconds, one.hullVolume,
+        one.stepMs, one.allPersonsResult.found, one.allPersonsResult.silhouette.recall,
+        one.allPersonsResult.silhouette.precision, one.allPersonsResult.silhouette.iou);
   }
   return text;
 }
@@ -124,8 +125,8 @@ std::string peoplePersonsCsv(const std::vector<PeopleTrial>& trials) {
   std::string text = "scenario,grade,clothes,method,seed,person,height_m,found,silhouette_recall,"
                      "silhouette_precision,silhouette_iou,height_error_m\n";
   for (const PeopleTrial& one : trials) {
-    for (std::size_t k = 0; k < one.persons.size(); ++k) {
-      const PersonResult& person = one.persons[k];
+    for (std::size_t k = 0; k < one.personResults.size(); ++k) {
+      const PersonResult& person = one.personResults[k];
       text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", one.scenario,
                           gradeName(one.grade), clothesName(one.clothes), one.method, one.seed,
                           k + 1, person.height, person.found, person.silhouette.recall,

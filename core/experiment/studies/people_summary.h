@@ -15,18 +15,18 @@ struct PeopleSummary {
   Grade grade = Grade::Ideal;
   PeopleClothes clothes = PeopleClothes::Different;
   std::string method;
-  int runs = 0;
+  int runCount = 0;
   int keptRunCount =
-      0; ///< number of runs in which all identities were kept (PeopleTrial::identitiesKept)
+      0; ///< number of runs in which all identities were kept (PeopleTrial::hasKeptIdentities)
   int identitySwitches = 0;
   double mota = 0.0; ///< CLEAR MOT accuracy, mean over runs
   double hota = 0.0;
   double gospa = 0.0; ///< GOSPA distance, mean over runs, meters
   double motp = 0.0;  ///< distance of matches, mean over the runs that have any, meters
   /// Longest time with an estimate but no person nearby, over all runs, seconds.
-  double longestGhost = 0.0;
+  double longestGhostSeconds = 0.0;
   /// Longest time without an estimate of a visible person, over all runs, seconds.
-  double longestMissed = 0.0;
+  double longestMissedSeconds = 0.0;
   double hullVolume = 0.0; ///< volume that contains 95 % of a person, mean over runs, m³
   double stepMs = 0.0;     ///< CPU time per frame with people, mean over runs, ms
   /// Means of the fields `found` and `silhouette` in PeopleTrial::allPersonsResult, over the runs

@@ -17,17 +17,17 @@ namespace {
 constexpr double kContenders = 7.0; ///< of studyBoxes(), per clip
 
 Status sugandiRmse(const ExperimentOptions& options) {
-  if (const auto folder = prepareReportFolder(options.folder, kBoxReport); !folder) {
+  if (const auto folder = prepareReportFolder(options.outputFolder, kBoxReport); !folder) {
     return folder;
   }
   std::vector<BoxClip> clips{simulatedBoxClip(options.firstSeed)};
-  if (!options.recordings.empty()) {
-    auto recorded = recordedBoxClips(options.recordings);
+  if (!options.recordingsFolder.empty()) {
+    auto recorded = recordedBoxClips(options.recordingsFolder);
     if (!recorded) {
       return tl::make_unexpected(recorded.error());
     }
     if (recorded->empty()) {
-      return failure(ErrorCode::NotFound, options.recordings.string(), "",
+      return failure(ErrorCode::NotFound, options.recordingsFolder.string(), "",
                      "the folder contains neither juggle1 nor otb");
     }
     std::ranges::move(*recorded, std::back_inserter(clips));
@@ -39,12 +39,12 @@ Status sugandiRmse(const ExperimentOptions& options) {
     return failure(ErrorCode::Canceled, "", "", "");
   }
   const auto study = studyBoxes(
-      clips, std::max(1, options.runs),
+      clips, std::max(1, options.runCount),
       [&](const BoxStudyRow&) { return goOn(std::min(1.0, ++rows / all)); }, options.firstSeed);
   if (!study) {
     return tl::make_unexpected(study.error());
   }
-  return writeBoxStudy(*study, options.folder);
+  return writeBoxStudy(*study, options.outputFolder);
 }
 
 std::vector<PeopleClothes> clothesOf(StudyClothes wanted) {
@@ -60,7 +60,7 @@ std::vector<PeopleClothes> clothesOf(StudyClothes wanted) {
 }
 
 Status studyScenario(const char* scenario, const ExperimentOptions& options) {
-  if (const auto folder = prepareReportFolder(options.folder); !folder) {
+  if (const auto folder = prepareReportFolder(options.outputFolder); !folder) {
     return folder;
   }
   PeopleStudySetup setup;
@@ -68,7 +68,7 @@ Status studyScenario(const char* scenario, const ExperimentOptions& options) {
   setup.seed = options.firstSeed;
   bool goOn = true;
   const auto trials =
-      studyPeopleSeries(setup, clothesOf(options.clothes), std::max(1, options.runs),
+      studyPeopleSeries(setup, clothesOf(options.clothes), std::max(1, options.runCount),
                         [&](std::int64_t done, std::int64_t all) {
                           goOn = !options.progress || options.progress(double(done) / double(all));
                           return goOn;
@@ -76,7 +76,7 @@ Status studyScenario(const char* scenario, const ExperimentOptions& options) {
   if (!trials) {
     return tl::make_unexpected(trials.error());
   }
-  return goOn ? writePeopleStudy(scenario, *trials, options.folder)
+  return goOn ? writePeopleStudy(scenario, *trials, options.outputFolder)
               : failure(ErrorCode::Canceled, "", "", "");
 }
 
@@ -88,7 +88,7 @@ FigureExperiment sceneOfPeople(std::string_view name, std::string_view title,
   return {.name = name,
           .title = title,
           .description = sentence,
-          .runs = 3,
+          .runCount = 3,
           .run = run,
           .hasClothesOption = true,
           .group = group};
@@ -96,7 +96,7 @@ FigureExperiment sceneOfPeople(std::string_view name, std::string_view title,
 
 } // namespace
 
-std::span<const FigureExperiment> studyExperiments() {
+std::span<const FigureExperiment> boxAndPeopleExperiments() {
   static const std::array kAll{
       FigureExperiment{
           .name = "sugandi-rmse",
@@ -104,9 +104,9 @@ std::span<const FigureExperiment> studyExperiments() {
           .description =
               "Sugandi et al. 2009, section 4: compares method sugandi with 100 and with 300 "
               "particles, method histogram, and four trackers of OpenCV, all on the same clips.",
-          .runs = 2,
+          .runCount = 2,
           .run = &sugandiRmse,
-          .report = kBoxReport,
+          .reportFile = kBoxReport,
           .usesRecordings = true,
           .group = ExperimentGroup::Sugandi},
       sceneOfPeople(

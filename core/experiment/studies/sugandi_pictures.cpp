@@ -81,7 +81,7 @@ SvgSeries lineOf(const char* style, std::size_t frames,
   SvgSeries series;
   series.style = style;
   for (std::size_t frame = 0; frame < frames; ++frame) {
-    series.line.push_back({double(frame), value(frame)});
+    series.points.push_back({double(frame), value(frame)});
   }
   return series;
 }
@@ -94,13 +94,13 @@ Plot plotOf(const std::string& title, const std::string& unit, std::vector<SvgSe
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (const SvgSeries& one : series) {
-    for (const SvgPoint& point : one.line) {
+    for (const SvgPoint& point : one.points) {
       low = std::isnan(point.y) ? low : std::min(low, point.y);
       high = std::isnan(point.y) ? high : std::max(high, point.y);
     }
   }
   const double margin = 0.05 * std::max(1.0, high - low);
-  plot.x = {"frame", 0.0, std::max(1.0, double(series.front().line.size()) - 1.0), false};
+  plot.x = {"frame", 0.0, std::max(1.0, double(series.front().points.size()) - 1.0), false};
   plot.y = {unit, fromZero ? 0.0 : low - margin, high + margin, false};
   plot.series = std::move(series);
   return plot;

@@ -34,11 +34,11 @@ constexpr const char* kRemarks[] = {
     "numbers. Bins are numbered 64 r + 8 g + b, with r, g and b from 0 to 7."};
 
 std::string seedRemark(const BoxStudy& study) {
-  return "Seeds of Dewpoint's methods: " + describeSeeds(study.firstSeed, study.seeds) + ".";
+  return "Seeds of Dewpoint's methods: " + describeSeeds(study.firstSeed, study.seedCount) + ".";
 }
 
 std::string starred(const BoxStudyRow& row) {
-  return row.clip + (row.exactBoxes ? "" : " *");
+  return row.clip + (row.hasExactBoxes ? "" : " *");
 }
 
 std::string tableHead() {
@@ -50,9 +50,10 @@ std::string tableHead() {
 std::string tableRow(const BoxStudyRow& row) {
   return fmt::format("<tr{}><td>{}</td><td>{}</td><td>{:.2f}</td><td>{:.3f}</td><td>{:.1f} %</td>"
                      "<td>{:.1f} %</td><td>{:.2f}</td></tr>",
-                     row.isOurs ? " class='ours'" : "", htmlEscaped(row.method), row.seeds,
-                     row.metrics.rmse, row.metrics.success, inPercent(row.metrics.precision),
-                     inPercent(row.worstPrecision), row.milliseconds);
+                     row.isDewpointMethod ? " class='ours'" : "", htmlEscaped(row.method),
+                     row.seedCount, row.metrics.rmse, row.metrics.success,
+                     inPercent(row.metrics.precision), inPercent(row.worstPrecision),
+                     row.millisecondsPerFrame);
 }
 
 /// The table of a clip and its figures.
@@ -73,8 +74,8 @@ std::string barsHtml(const BoxStudy& study) {
   std::string text = "<h2>What must be reached</h2><div class='scroll'><table><tbody>";
   for (const BoxRequirement& bar : study.requirements) {
     text += fmt::format("<tr><td class='text'>{}</td><td><span class='chip {}'>{}</span></td></tr>",
-                        htmlEscaped(bar.description), bar.reached ? "good" : "bad",
-                        bar.reached ? "reached" : "not reached");
+                        htmlEscaped(bar.description), bar.isMet ? "good" : "bad",
+                        bar.isMet ? "reached" : "not reached");
   }
   return text + "</tbody></table></div>";
 }
@@ -91,7 +92,7 @@ constexpr const char* kPerturbationRemark =
 std::string claimsText(const BoxPerturbationRow& row) {
   return row.reportsConfidence
              ? fmt::format("{:>6.2f} {:>6.2f} {:>6.1f} %", row.similarityOnTarget,
-                           row.similarityOffTarget, inPercent(row.confidentlyWrong))
+                           row.similarityOffTarget, inPercent(row.confidentlyWrongShare))
              : std::string();
 }
 
@@ -102,7 +103,7 @@ std::string perturbationText(const std::vector<BoxPerturbationRow>& rows) {
                                  "precision", "worst", "on", "off", "wrong");
   for (const BoxPerturbationRow& row : rows) {
     text += fmt::format("{:<28} {:<10} {:>5.1f} {:>5} {:>8.2f} {:>8.3f} {:>7.1f} % {:>6.1f} % {}\n",
-                        row.clip, row.method, row.scale, row.runs, row.metrics.rmse,
+                        row.clip, row.method, row.scale, row.runCount, row.metrics.rmse,
                         row.metrics.success, inPercent(row.metrics.precision),
                         inPercent(row.worstPrecision), claimsText(row));
   }
@@ -112,7 +113,7 @@ std::string perturbationText(const std::vector<BoxPerturbationRow>& rows) {
 std::string claimsCells(const BoxPerturbationRow& row) {
   return row.reportsConfidence ? fmt::format("<td>{:.2f}</td><td>{:.2f}</td><td>{:.1f} %</td>",
                                              row.similarityOnTarget, row.similarityOffTarget,
-                                             inPercent(row.confidentlyWrong))
+                                             inPercent(row.confidentlyWrongShare))
                                : "<td></td><td></td><td></td>";
 }
 
@@ -126,7 +127,7 @@ std::string perturbationHtml(const std::vector<BoxPerturbationRow>& rows) {
     text += fmt::format("<tr{}><td>{}</td><td>{}</td><td>{:.1f}</td><td>{}</td><td>{:.2f}</td>"
                         "<td>{:.3f}</td><td>{:.1f} %</td><td>{:.1f} %</td>{}</tr>",
                         row.reportsConfidence ? " class='ours'" : "", htmlEscaped(row.clip),
-                        htmlEscaped(row.method), row.scale, row.runs, row.metrics.rmse,
+                        htmlEscaped(row.method), row.scale, row.runCount, row.metrics.rmse,
                         row.metrics.success, inPercent(row.metrics.precision),
                         inPercent(row.worstPrecision), claimsCells(row));
   }
@@ -140,10 +141,10 @@ std::string perturbedBoxesCsv(const std::vector<BoxPerturbationRow>& rows) {
                      "similarity_on,similarity_off,surely_wrong\n";
   for (const BoxPerturbationRow& row : rows) {
     text += fmt::format("{},{},{},{},{},{},{},{}", csvCell(row.clip), csvCell(row.method),
-                        row.scale, row.runs, row.metrics.rmse, row.metrics.success,
+                        row.scale, row.runCount, row.metrics.rmse, row.metrics.success,
                         row.metrics.precision, row.worstPrecision);
     text += row.reportsConfidence ? fmt::format(",{},{},{}\n", row.similarityOnTarget,
-                                                row.similarityOffTarget, row.confidentlyWrong)
+                                                row.similarityOffTarget, row.confidentlyWrongShare)
                                   : ",,,\n";
   }
   return text;
@@ -155,13 +156,13 @@ std::string boxStudyText(const BoxStudy& study) {
                   "RMSE px", "success", "precision", "worst", "ms");
   for (const BoxStudyRow& row : study.rows) {
     text += fmt::format("{:<26} {:<25} {:>5} {:>8.2f} {:>8.3f} {:>7.1f} % {:>6.1f} % {:>8.2f}\n",
-                        starred(row), row.method, row.seeds, row.metrics.rmse, row.metrics.success,
-                        inPercent(row.metrics.precision), inPercent(row.worstPrecision),
-                        row.milliseconds);
+                        starred(row), row.method, row.seedCount, row.metrics.rmse,
+                        row.metrics.success, inPercent(row.metrics.precision),
+                        inPercent(row.worstPrecision), row.millisecondsPerFrame);
   }
   text += '\n';
   for (const BoxRequirement& bar : study.requirements) {
-    text += fmt::format("{:<12} {}\n", bar.reached ? "reached" : "NOT REACHED", bar.description);
+    text += fmt::format("{:<12} {}\n", bar.isMet ? "reached" : "NOT REACHED", bar.description);
   }
   text += '\n';
   for (const char* remark : kRemarks) {
@@ -175,8 +176,8 @@ std::string boxStudyCsv(const BoxStudy& study) {
   std::string text = "clip,method,seeds,rmse_px,success,precision,worst_precision,ms_per_frame\n";
   for (const BoxStudyRow& row : study.rows) {
     text += fmt::format("{},{},{},{},{},{},{},{}\n", csvCell(row.clip), csvCell(row.method),
-                        row.seeds, row.metrics.rmse, row.metrics.success, row.metrics.precision,
-                        row.worstPrecision, row.milliseconds);
+                        row.seedCount, row.metrics.rmse, row.metrics.success, row.metrics.precision,
+                        row.worstPrecision, row.millisecondsPerFrame);
   }
   return text;
 }
@@ -185,7 +186,7 @@ std::string boxStudyHtml(const BoxStudy& study) {
   std::string text = "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta "
                      "name='viewport' content='width=device-width, initial-scale=1'><title>Color "
                      "histograms in one camera</title><style>" +
-                     reportStyle() +
+                     reportStyleSheet() +
                      "</style></head>\n<body><main>\n<h1>Color histograms in one camera</h1><p "
                      "class='meta'>Experiment sugandi-rmse, version " DEWPOINT_VERSION "</p>" +
                      barsHtml(study);
@@ -209,7 +210,7 @@ Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder)
       {"histograms.csv", boxHistogramsCsv(study)}};
   for (std::size_t clip = 0; clip < study.figures.size(); ++clip) {
     files.emplace_back(framesWithBoxesFileName(clip),
-                       encodeImage(study.figures[clip].frames, ".jpg"));
+                       encodeImage(study.figures[clip].framesImage, ".jpg"));
   }
   if (!study.perturbedRows.empty()) {
     files.emplace_back("sloppy-boxes.csv", perturbedBoxesCsv(study.perturbedRows));

@@ -53,8 +53,8 @@ Status follow(const BoxClip& clip, const std::vector<cv::Mat>& images, BoxFollow
     found.push_back(follower.step(images[frame]));
   }
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-  const BoxMetrics metrics = measureBoxes(found, clip.truth, clip.radius);
-  row.milliseconds += took.count() / (double(images.size() - 1) * runs);
+  const BoxMetrics metrics = measureBoxes(found, clip.truth, clip.hitRadiusPx);
+  row.millisecondsPerFrame += took.count() / (double(images.size() - 1) * runs);
   row.metrics.rmse += metrics.rmse / runs;
   row.metrics.success += metrics.success / runs;
   row.metrics.precision += metrics.precision / runs;
@@ -70,16 +70,16 @@ Result<BoxStudyRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& ima
   BoxStudyRow row;
   row.clip = clip.name;
   row.method = contender.shown();
-  row.isOurs = contender.particles > 0;
-  row.exactBoxes = clip.exactBoxes;
-  row.seeds = row.isOurs ? seeds : 1;
+  row.isDewpointMethod = contender.particles > 0;
+  row.hasExactBoxes = clip.hasExactBoxes;
+  row.seedCount = row.isDewpointMethod ? seeds : 1;
   row.worstPrecision = 1.0;
-  for (int k = 0; k < row.seeds; ++k) {
+  for (int k = 0; k < row.seedCount; ++k) {
     auto follower = make(contender, firstSeed + static_cast<std::uint64_t>(k));
     if (!follower) {
       return tl::make_unexpected(follower.error());
     }
-    if (const auto done = follow(clip, images, **follower, row.seeds, row); !done) {
+    if (const auto done = follow(clip, images, **follower, row.seedCount, row); !done) {
       return tl::make_unexpected(done.error());
     }
   }
@@ -107,7 +107,7 @@ BoxRequirement peerBar(const std::vector<BoxStudyRow>& rows, const BoxStudyRow& 
   const BoxStudyRow* best = nullptr;
   for (const BoxStudyRow& row : rows) {
     const bool isBetter = best == nullptr || row.metrics.success > best->metrics.success;
-    best = row.clip == ours.clip && !row.isOurs && isBetter ? &row : best;
+    best = row.clip == ours.clip && !row.isDewpointMethod && isBetter ? &row : best;
   }
   const double peer = best != nullptr ? best->metrics.success : 0.0;
   return {fmt::format("{}: histogram's success {:.3f} is at least the best peer's ({} {:.3f})",
@@ -144,7 +144,7 @@ BoxClipFigures clipFiguresOf(const BoxClip& clip, const std::vector<cv::Mat>& im
   BoxClipFigures figures;
   figures.clip = clip.name;
   figures.truth = clip.truth;
-  figures.frames = drawBoxFrames(images, clip.truth, few, many);
+  figures.framesImage = drawBoxFrames(images, clip.truth, few, many);
   figures.referenceHistogram = boxHistogram(images.front(), clip.truth.front());
   figures.candidateFrame = images.size() / 2;
   if (const auto& found = many.boxes[figures.candidateFrame]) {
@@ -160,7 +160,7 @@ Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
                             std::uint64_t firstSeed) {
   BoxStudy study;
   study.firstSeed = firstSeed;
-  study.seeds = seeds;
+  study.seedCount = seeds;
   for (const BoxClip& clip : clips) {
     const auto images = imagesOf(clip);
     if (!images) {

@@ -27,15 +27,15 @@ inline constexpr const char* kBoxReport = "sugandi-rmse.html";
 /// box of the first frame. Values are means over the seeds.
 struct BoxStudyRow {
   std::string clip;
-  std::string method;  ///< display name: "sugandi, 100 particles", "csrt"
-  bool isOurs = false; ///< true: one of Dewpoint's own methods; false: one of OpenCV's
-  bool exactBoxes = true;
-  int seeds = 1;
+  std::string method;            ///< display name: "sugandi, 100 particles", "csrt"
+  bool isDewpointMethod = false; ///< true: one of Dewpoint's own methods; false: one of OpenCV's
+  bool hasExactBoxes = true;
+  int seedCount = 1;
   BoxMetrics metrics;
   /// Lowest precision over the seeds. Precision is the fraction of frames in which the found center
   /// is near the true one (BoxMetrics).
   double worstPrecision = 0.0;
-  double milliseconds = 0.0; ///< time per frame with one thread, ms
+  double millisecondsPerFrame = 0.0; ///< time per frame with one thread, ms
   /// Boxes for the first seed, one per frame, beginning with the first frame, whose box is given.
   /// An entry is empty after the method has given up.
   std::vector<std::optional<ImageBox>> boxes;
@@ -44,14 +44,14 @@ struct BoxStudyRow {
 /// Requirement that the study checks, and whether the results meet it.
 struct BoxRequirement {
   std::string description;
-  bool reached = false;
+  bool isMet = false;
 };
 
 /// Data for the figures (pictures and plots) that the report shows for one clip.
 struct BoxClipFigures {
   std::string clip;
   std::vector<ImageBox> truth;
-  cv::Mat frames; ///< image of some frames with the found and the true boxes
+  cv::Mat framesImage; ///< image of some frames with the found and the true boxes
   /// Color histogram of the first box, which was given to the method (boxHistogram()). Empty if the
   /// box is outside the image.
   std::vector<double> referenceHistogram;
@@ -70,7 +70,7 @@ struct BoxStudy {
   /// requested.
   std::vector<BoxPerturbationRow> perturbedRows;
   std::uint64_t firstSeed = kFirstTuningSeed;
-  int seeds = 1; ///< number of seeds for Dewpoint's own methods
+  int seedCount = 1; ///< number of seeds for Dewpoint's own methods
 };
 
 /// Follows the box of the target through every clip with `sugandi` (100 and 300 particles),

@@ -61,11 +61,11 @@ public:
       : draws_(seed, "wand"), framesPerSecond_(recording.framesPerSecond) {
     const auto phases = [&] {
       const double full = 2.0 * std::numbers::pi;
-      return draws_.pointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(full));
+      return draws_.drawPointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(full));
     };
     wave_.phase = phases();
     wave_.turnPhase = phases();
-    wave_.pace = draws_.uniform(0.8, 1.2);
+    wave_.pace = draws_.drawUniform(0.8, 1.2);
     rig_ = hallRig(4);
     static simulation::ViewCache cache;
     for (Camera& camera : rig_) {
@@ -82,10 +82,10 @@ public:
     }
     stage_.bodies.back().color = kViolet;
     for (std::size_t c = 1; c < rig_.size(); ++c) {
-      clocks_[c] = draws_.uniform(-kClockError, kClockError);
+      clocks_[c] = draws_.drawUniform(-kClockError, kClockError);
     }
     for (std::size_t c = 0; c < rig_.size(); ++c) {
-      directions_.push_back({draws_.direction(), draws_.direction()});
+      directions_.push_back({draws_.drawDirection(), draws_.drawDirection()});
     }
     project_.targets = {scenarios::pinkTarget("pink", kRadius), violetTarget()};
   }
@@ -94,7 +94,7 @@ public:
 
   std::vector<std::vector<MarkerObservation>> record(bool unsynced) const {
     WandOptions options = optionsOf(WandCase::Near);
-    WandViews views(rig_.size(), *wandColors(project_, options));
+    WandViews views(rig_.size(), *wandColorClassifiers(project_, options));
     const auto frames = static_cast<std::int64_t>(kSeconds * framesPerSecond_);
     for (std::int64_t f = 0; f < frames; ++f) {
       const double time = static_cast<double>(f) / framesPerSecond_;
@@ -118,14 +118,14 @@ public:
       ProjectCamera& added = project.cameras.emplace_back();
       added.camera = camera;
     }
-    auto problem = wandProblem(project, optionsOf(kind));
+    auto problem = makeWandProblem(project, optionsOf(kind));
     problem->views = views;
     for (const auto& list : views) {
-      trial.views += list.size();
+      trial.viewCount += list.size();
     }
     const auto result = calibrateFromWand(*problem);
     if (!result) {
-      trial.failure = errorSentence(result.error());
+      trial.failureReason = errorSentence(result.error());
       return trial;
     }
     measure(*result, trial);
@@ -142,7 +142,7 @@ private:
     }
     options.stickLength = stick ? kStick : 0.0;
     options.usesBallDiameter = !stick;
-    options.estimateTimeOffsets = kind == WandCase::Unsynced;
+    options.estimatesTimeOffsets = kind == WandCase::Unsynced;
     if (kind == WandCase::Far) {
       options.initialPositionError = 0.3;
       options.initialRotationError = 10.0 * kDegree;
@@ -169,7 +169,7 @@ private:
       truth.push_back(rig_[c].center());
     }
     for (const BundleState& state : result.bundle.states) {
-      for (std::size_t ball = 0; state.isKnown && ball < balls; ++ball) {
+      for (std::size_t ball = 0; state.isPositionKnown && ball < balls; ++ball) {
         found.push_back(state.ends[ball]);
         truth.push_back(wave_.end(ball, state.time));
       }
@@ -180,19 +180,20 @@ private:
       sums[i < rig_.size() ? 0 : 1] += (back * found[i] - truth[i]).squaredNorm();
     }
     const auto cameras = static_cast<double>(rig_.size());
-    trial.cameraRms = std::sqrt(sums[0] / cameras);
-    trial.pointRms =
+    trial.cameraPositionRms = std::sqrt(sums[0] / cameras);
+    trial.ballPositionRms =
         std::sqrt(sums[1] / std::max(1.0, static_cast<double>(found.size()) - cameras));
     trial.scaleError = 1.0 / fitSimilarity(found, truth, true).scale - 1.0;
     for (std::size_t c = 0; c < rig_.size(); ++c) {
       const double clock = trial.kind == WandCase::Unsynced ? clocks_.at(c) : 0.0;
-      trial.offsetError = std::max(trial.offsetError, std::abs(result.timeOffsets[c] - clock));
+      trial.clockOffsetError =
+          std::max(trial.clockOffsetError, std::abs(result.timeOffsets[c] - clock));
     }
-    trial.medianPx = result.medianPx;
-    trial.solveSeconds = result.seconds;
+    trial.medianReprojectionErrorPx = result.medianResidualPx;
+    trial.solveSeconds = result.computationSeconds;
     const double bar = wandRmsLimit(trial.kind);
-    trial.passed = trial.cameraRms <= bar && trial.pointRms <= bar &&
-                   trial.offsetError <= kOffsetBar && trial.solveSeconds <= kSolveBar;
+    trial.hasPassed = trial.cameraPositionRms <= bar && trial.ballPositionRms <= bar &&
+                      trial.clockOffsetError <= kOffsetBar && trial.solveSeconds <= kSolveBar;
   }
 
   RandomDraws draws_;

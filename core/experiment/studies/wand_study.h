@@ -32,15 +32,18 @@ struct WandRecording {
 struct WandTrial {
   std::uint64_t seed = 0;
   WandCase kind = WandCase::Near;
-  std::string failure;      ///< error message if the calibration failed; otherwise empty
-  double cameraRms = 0.0;   ///< RMS error of the camera positions, after the best rigid alignment
-  double pointRms = 0.0;    ///< RMS error of the ball positions, with the same alignment
-  double scaleError = 0.0;  ///< relative error of the scale of the calibrated rig
-  double offsetError = 0.0; ///< largest clock offset error relative to the first camera, seconds
-  double medianPx = 0.0; ///< median distance of ball images from their predicted positions, pixels
+  std::string failureReason; ///< error message if the calibration failed; otherwise empty
+  double cameraPositionRms =
+      0.0; ///< RMS error of the camera positions, after the best rigid alignment
+  double ballPositionRms = 0.0; ///< RMS error of the ball positions, with the same alignment
+  double scaleError = 0.0;      ///< relative error of the scale of the calibrated rig
+  double clockOffsetError =
+      0.0; ///< largest clock offset error relative to the first camera, seconds
+  double medianReprojectionErrorPx =
+      0.0; ///< median distance of ball images from their predicted positions, pixels
   double solveSeconds = 0.0; ///< duration of the calibration without the search for balls
-  std::size_t views = 0;     ///< number of ball images that were detected
-  bool passed = false;       ///< true if the requirement of the case is met
+  std::size_t viewCount = 0; ///< number of ball images that were detected
+  bool hasPassed = false;    ///< true if the requirement of the case is met
 };
 
 /// Runs all cases of the study for one seed and returns one trial per case. Each trial calibrates
@@ -50,8 +53,8 @@ struct WandTrial {
 std::vector<WandTrial> studyWand(std::uint64_t seed, const WandRecording& recording,
                                  const std::function<bool(const WandTrial&)>& report);
 
-/// Returns the largest value of `cameraRms` and `pointRms` that the requirement of a case allows,
-/// meters. Returns infinity if the study requires no accuracy in this case.
+/// Returns the largest value of `cameraPositionRms` and `ballPositionRms` that the requirement of a
+/// case allows, meters. Returns infinity if the study requires no accuracy in this case.
 double wandRmsLimit(WandCase kind);
 /// Returns the name of a case in reports.
 std::string wandCaseName(WandCase kind);

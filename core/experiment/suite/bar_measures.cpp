@@ -122,7 +122,7 @@ RequirementValue pooledP95(const MeasuredRuns& ours, const MeasuredRuns&) {
 }
 
 RequirementValue pooledEceOfRuns(const MeasuredRuns& ours, const MeasuredRuns&) {
-  return pooledReliability(ours).expectedError;
+  return pooledReliability(ours).expectedCalibrationError;
 }
 
 RequirementValue depthBias(const MeasuredRuns& ours, const MeasuredRuns&) {
@@ -159,14 +159,14 @@ RequirementValue lostFramesOverTriangulation(const MeasuredRuns& ours, const Mea
 
 RequirementMeasure medianOverScenarios(const BeliefMetric& metric) {
   return [&metric](const MeasuredRuns& ours, const MeasuredRuns&) {
-    return beliefOver(ours, metric).median;
+    return beliefOver(ours, metric).medianValue;
   };
 }
 
 RequirementMeasure worstOverScenarios(const BeliefMetric& metric) {
   return [&metric](const MeasuredRuns& ours, const MeasuredRuns&) {
     ScenarioSummary over = beliefOver(ours, metric);
-    return RequirementValue(over.worst, std::move(over.worstScenario));
+    return RequirementValue(over.worstValue, std::move(over.worstScenario));
   };
 }
 
@@ -177,7 +177,7 @@ RequirementMeasure maxOverScenarios(RequirementMeasure measure) {
       values.push_back({scenario, measure(runsOf(ours, scenario), runsOf(others, scenario)).value});
     }
     ScenarioSummary over = summarizeScenarios(values, true);
-    return RequirementValue(over.worst, std::move(over.worstScenario));
+    return RequirementValue(over.worstValue, std::move(over.worstScenario));
   };
 }
 

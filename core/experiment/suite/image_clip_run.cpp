@@ -67,22 +67,22 @@ Result<std::optional<SuiteResult>> followClip(const BoxClip& clip,
   }
   const double took = threadMicroseconds() - begin;
   const auto frames = framesInPixels(clip, found);
-  const BoxMetrics metrics = measureBoxes(found, clip.truth, clip.radius);
+  const BoxMetrics metrics = measureBoxes(found, clip.truth, clip.hitRadiusPx);
   SuiteResult result;
   SuiteRow& row = result.row;
   row.key = key;
   result.trace.key = key;
-  const auto converged = framesToConverge(frames, clip.radius);
+  const auto converged = framesToConverge(frames, clip.hitRadiusPx);
   row.framesToConverge =
       converged ? static_cast<double>(*converged) : std::numeric_limits<double>::infinity();
-  row.lostPercent = inPercent(lostFrames(frames, clip.radius).value());
+  row.lostPercent = inPercent(lostFrameShare(frames, clip.hitRadiusPx).value());
   row.rmsePx = metrics.rmse;
-  row.success = metrics.success;
+  row.boxSuccess = metrics.success;
   row.usPerFrame = took / static_cast<double>(images.size());
-  row.frames = static_cast<double>(frames.size());
+  row.frameCount = static_cast<double>(frames.size());
   // Nothing is known in millimeters, and no method states a P(exists).
   result.trace.errorsMm.emplace_back(frames.size(), std::numeric_limits<double>::quiet_NaN());
-  result.trace.reliability.resize(kReliabilityBins);
+  result.trace.reliabilityCounts.resize(kReliabilityBins);
   return result;
 }
 

@@ -17,13 +17,13 @@ namespace {
 constexpr double kNotInSight = std::numeric_limits<double>::infinity();
 
 void fillBelief(const std::vector<Forecast>& forecasts, SuiteResult& result) {
-  const Reliability table = reliability(forecasts, kReliabilityBins);
-  result.row.existenceEce = table.expectedError;
+  const Reliability table = computeReliability(forecasts, kReliabilityBins);
+  result.row.existenceEce = table.expectedCalibrationError;
   for (const ReliabilityBin& bin : table.bins) {
-    const auto count = static_cast<double>(bin.count);
-    const bool any = bin.count > 0;
-    result.trace.reliability.push_back({bin.count, any ? count * bin.meanProbability : 0.0,
-                                        any ? std::llround(count * bin.frequency) : 0});
+    const auto count = static_cast<double>(bin.forecastCount);
+    const bool any = bin.forecastCount > 0;
+    result.trace.reliabilityCounts.push_back({bin.forecastCount, any ? count * bin.meanProbability : 0.0,
+                                        any ? std::llround(count * bin.observedFrequency) : 0});
   }
 }
 
@@ -46,16 +46,16 @@ void PixelRecorder::add(std::int64_t frame, const std::vector<SphereEstimate>& e
     const SphereEstimate estimate =
         target < estimates.size() ? estimates[target] : SphereEstimate();
     Sample sample;
-    sample.declared = reportsPresence(estimate);
-    sample.existence = estimate.existenceProbability;
+    sample.isDeclared = reportsPresence(estimate);
+    sample.existenceProbability = estimate.existenceProbability;
     for (const MarkedCenter& mark : marks->second) {
       if (mark.target == target) {
         const auto pixel = cameras_[mark.camera].project(estimate.mean);
-        sample.distances.push_back(pixel ? (*pixel - mark.pixel).norm() : kNotInSight);
-        sample.worst = std::max(sample.worst, sample.distances.back());
+        sample.distancesPx.push_back(pixel ? (*pixel - mark.pixel).norm() : kNotInSight);
+        sample.largestDistancePx = std::max(sample.largestDistancePx, sample.distancesPx.back());
       }
     }
-    if (!sample.distances.empty()) {
+    if (!sample.distancesPx.empty()) {
       samples_[target].push_back(std::move(sample));
     }
   }
@@ -69,8 +69,8 @@ std::vector<TargetFrame> PixelRecorder::framesOf(std::size_t target) const {
     TargetFrame frame;
     frame.frame = static_cast<std::int64_t>(frames.size());
     frame.truth = Eigen::Vector3d::Zero();
-    if (sample.declared) {
-      frame.estimate = Eigen::Vector3d(sample.worst, 0.0, 0.0);
+    if (sample.isDeclared) {
+      frame.estimate = Eigen::Vector3d(sample.largestDistancePx, 0.0, 0.0);
     }
     frames.push_back(frame);
   }
@@ -84,8 +84,8 @@ SuiteRow::Value PixelRecorder::rmsePx() const {
     const auto begin = framesToConverge(framesOf(target), gate_).value_or(0);
     for (auto k = static_cast<std::size_t>(begin); k < samples_[target].size(); ++k) {
       const Sample& sample = samples_[target][k];
-      if (sample.declared) {
-        for (const double distance : sample.distances) {
+      if (sample.isDeclared) {
+        for (const double distance : sample.distancesPx) {
           sum += distance * distance;
           ++count;
         }
@@ -110,14 +110,15 @@ SuiteResult PixelRecorder::result(RunKey key, double usPerFrame) const {
     const double begin = converged ? static_cast<double>(*converged) : kNotInSight;
     row.framesToConverge = std::max(row.framesToConverge.value_or(begin), begin);
     const auto after = std::span(frames).subspan(static_cast<std::size_t>(converged.value_or(0)));
-    const Proportion part = lostFrames(after, gate_);
+    const Proportion part = lostFrameShare(after, gate_);
     lost.count += part.count;
     lost.total += part.total;
     for (const Sample& sample : samples_[target]) {
-      forecasts.push_back({sample.existence, sample.worst < gate_});
-      const bool isWrong = sample.declared && sample.worst > gate_;
+      forecasts.push_back({sample.existenceProbability, sample.largestDistancePx < gate_});
+      const bool isWrong = sample.isDeclared && sample.largestDistancePx > gate_;
       wrong.count += isWrong ? 1 : 0;
-      wrongWhenConfident.count += isWrong && sample.existence > kConfidentProbability ? 1 : 0;
+      wrongWhenConfident.count +=
+          isWrong && sample.existenceProbability > kConfidentProbability ? 1 : 0;
       ++wrong.total;
       ++wrongWhenConfident.total;
     }
@@ -135,7 +136,7 @@ SuiteResult PixelRecorder::result(RunKey key, double usPerFrame) const {
   fillBelief(forecasts, result);
   row.rmsePx = rmsePx();
   row.usPerFrame = usPerFrame;
-  row.frames = static_cast<double>(marks_.size());
+  row.frameCount = static_cast<double>(marks_.size());
   return result;
 }
 

@@ -46,11 +46,11 @@ public:
 private:
   /// Sample of one target in one frame with marks. Samples are in frame order.
   struct Sample {
-    bool declared = false;
-    double existence = 0.0;
-    double worst =
+    bool isDeclared = false;
+    double existenceProbability = 0.0;
+    double largestDistancePx =
         0.0; ///< largest distance, pixels; infinite if a projection is not in front of the camera
-    std::vector<double> distances; ///< distance from each mark, pixels
+    std::vector<double> distancesPx; ///< distance from each mark, pixels
   };
 
   std::vector<TargetFrame> framesOf(std::size_t target) const;

@@ -8,7 +8,7 @@ namespace dewpoint::experiment {
 /// Returns whether an estimate declares its target present. This requires a finite position. In
 /// addition, the estimate must be valid, or its existence probability must be above one half.
 inline bool reportsPresence(const SphereEstimate& estimate) {
-  return estimate.mean.allFinite() && (estimate.valid || estimate.existenceProbability > 0.5);
+  return estimate.mean.allFinite() && (estimate.isValid || estimate.existenceProbability > 0.5);
 }
 
 } // namespace dewpoint::experiment

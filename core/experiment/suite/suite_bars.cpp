@@ -154,15 +154,15 @@ const std::vector<SuiteRequirement>& suiteRequirements() {
 }
 
 bool RequirementResult::isMeasured() const {
-  return runs > 0 && !std::isnan(value);
+  return runCount > 0 && !std::isnan(value);
 }
 
 bool RequirementResult::isMet() const {
-  return isMeasured() && value >= requirement->low && value <= requirement->high;
+  return isMeasured() && value >= requirement->lowerLimit && value <= requirement->upperLimit;
 }
 
 double RequirementResult::shortfall() const {
-  return std::max({0.0, requirement->low - value, value - requirement->high});
+  return std::max({0.0, requirement->lowerLimit - value, value - requirement->upperLimit});
 }
 
 std::vector<RequirementResult> measureRequirements(const std::vector<SuiteCell>& cells) {

@@ -9,7 +9,7 @@
 
 namespace dewpoint::experiment {
 
-/// Value of SuiteRequirement::low if a requirement has no lower limit.
+/// Value of SuiteRequirement::lowerLimit if a requirement has no lower limit.
 inline constexpr double kNoLowerLimit = -std::numeric_limits<double>::infinity();
 
 /// Requirement for the results of the `dewpoint` method in one grade (level of realism).
@@ -17,8 +17,8 @@ struct SuiteRequirement {
   int number = 0;          ///< number of the requirement in the list
   std::string description; ///< what is measured, and in which scenarios
   std::string unit;
-  double low = 0.0; ///< lower limit of the measured value
-  double high = 0.0;
+  double lowerLimit = 0.0; ///< lower limit of the measured value
+  double upperLimit = 0.0;
   /// Names or families of the evaluated scenarios. If empty, all scenarios are evaluated.
   std::vector<std::string> scenarios;
   RequirementMeasure measure;
@@ -26,7 +26,7 @@ struct SuiteRequirement {
   /// this grade.
   std::string grade = "ideal";
   /// True if this is an aim for the next version, which the current version may miss.
-  bool isAim = false;
+  bool isAimForNextVersion = false;
 };
 
 /// Returns all requirements in list order.
@@ -35,14 +35,15 @@ const std::vector<SuiteRequirement>& suiteRequirements();
 /// Value that was measured for a requirement.
 struct RequirementResult {
   const SuiteRequirement* requirement = nullptr;
-  std::size_t runs = 0;      ///< number of measured runs; 0: not measured
+  std::size_t runCount = 0;  ///< number of measured runs; 0: not measured
   double value = 0.0;        ///< measured value; NaN if the runs do not contain it
   std::string scenario = {}; ///< scenario that determines the value, if a single one does
   /// Returns whether there are runs and a value for this requirement.
   bool isMeasured() const;
-  /// Returns whether the measured value is within the limits [low, high].
+  /// Returns whether the measured value is within the limits [lowerLimit, upperLimit].
   bool isMet() const;
-  double shortfall() const; ///< returns the distance of the value from [low, high]; 0 inside
+  /// Returns the distance of the value from [lowerLimit, upperLimit]; 0 inside.
+  double shortfall() const;
 };
 
 /// Measures all requirements with the runs of the `dewpoint` method in `cells`. For each

@@ -23,13 +23,13 @@ double medianNees(RunSpan runs) {
 }
 
 double pooledEce(RunSpan runs) {
-  return pooledReliability(runs).expectedError;
+  return pooledReliability(runs).expectedCalibrationError;
 }
 
 BeliefSummary summaryOf(std::span<const SuiteCell* const> cells) {
   BeliefSummary summary{cells.front()->grade, cells.front()->method, cells.size(), 0, {}};
   for (const SuiteCell* cell : cells) {
-    summary.runs += cell->runs.size();
+    summary.runCount += cell->runs.size();
   }
   for (const BeliefMetric& metric : beliefMetrics()) {
     std::vector<ScenarioValue> values;
@@ -37,7 +37,7 @@ BeliefSummary summaryOf(std::span<const SuiteCell* const> cells) {
     for (const SuiteCell* cell : cells) {
       values.push_back({cell->scenario, metric.compute(cell->runs)});
     }
-    summary.metrics.push_back(summarizeScenarios(values, metric.lessIsBetter));
+    summary.metricSummaries.push_back(summarizeScenarios(values, metric.lessIsBetter));
   }
   return summary;
 }

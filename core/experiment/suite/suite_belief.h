@@ -31,8 +31,8 @@ const BeliefMetric& beliefMetric(const std::string& name);
 
 /// Summary of a metric that has one value per scenario: the median and the worst value.
 struct ScenarioSummary {
-  double median = 0.0; ///< median of the values; NaN if there are none
-  double worst = 0.0;
+  double medianValue = 0.0; ///< median of the values; NaN if there are none
+  double worstValue = 0.0;
   std::string worstScenario; ///< scenario with the worst value (the first if several have it);
                              ///< empty if there is no value
 };
@@ -49,9 +49,10 @@ ScenarioSummary summarizeScenarios(std::span<const ScenarioValue> values, bool l
 struct BeliefSummary {
   Grade grade = Grade::Ideal;
   std::string method;
-  std::size_t scenarios = 0;
-  std::size_t runs = 0;
-  std::vector<ScenarioSummary> metrics; ///< one entry per metric, in the order of beliefMetrics()
+  std::size_t scenarioCount = 0;
+  std::size_t runCount = 0;
+  std::vector<ScenarioSummary>
+      metricSummaries; ///< one entry per metric, in the order of beliefMetrics()
 };
 
 /// Returns one summary for each grade and method in the cells. Grades are in ascending order, and

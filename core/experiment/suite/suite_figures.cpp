@@ -58,7 +58,7 @@ SvgSeries overTime(const SuiteCell& cell, std::size_t frameCount) {
     const auto value = [&](double fraction) {
       return any ? quantile(errors, fraction) : std::numeric_limits<double>::quiet_NaN();
     };
-    series.line.push_back(
+    series.points.push_back(
         {static_cast<double>(frame) + 0.5 * static_cast<double>(step - 1), value(0.5)});
     series.bandLow.push_back(value(0.1));
     series.bandHigh.push_back(value(0.9));
@@ -86,7 +86,7 @@ SvgSeries distribution(const SuiteCell& cell, std::size_t frameCount) {
     const double part = static_cast<double>(k) / static_cast<double>(kMostPoints);
     const double error = axis.low * std::pow(axis.high / axis.low, part);
     const auto within = std::ranges::upper_bound(errors, error) - errors.begin();
-    series.line.push_back({error, inPercent(static_cast<double>(within)) / total});
+    series.points.push_back({error, inPercent(static_cast<double>(within)) / total});
   }
   return series;
 }
@@ -95,10 +95,11 @@ SvgSeries reliabilityOf(const SuiteCell& cell) {
   SvgSeries series{plotStyleOfMethod(cell.method), {}, {}, {}, {}};
   const Reliability table = pooledReliability(cell.runs);
   for (const ReliabilityBin& bin : table.bins) {
-    if (bin.count > 0) {
-      const double part = static_cast<double>(bin.count) / static_cast<double>(table.count);
-      series.line.push_back({bin.meanProbability, bin.frequency});
-      series.areas.push_back(6.0 + kLargestDisk * part);
+    if (bin.forecastCount > 0) {
+      const double part =
+          static_cast<double>(bin.forecastCount) / static_cast<double>(table.forecastCount);
+      series.points.push_back({bin.meanProbability, bin.observedFrequency});
+      series.diskAreas.push_back(6.0 + kLargestDisk * part);
     }
   }
   return series;

@@ -66,7 +66,7 @@ void add(Fingerprint& fingerprint, const SuiteResult& result) {
   }
   fingerprint.addDigits(result.row.nees.value_or(std::numeric_limits<double>::quiet_NaN()),
                         kNeesDigits);
-  for (const ReliabilityCount& bin : result.trace.reliability) {
+  for (const ReliabilityCount& bin : result.trace.reliabilityCounts) {
     fingerprint.add(bin.probabilitySum, kProbabilityStep);
   }
 }

@@ -66,14 +66,14 @@ std::string head(const SuiteReport& report) {
 
 /// Runs that their scenarios could not make.
 std::string skippedRuns(const SuiteReport& report) {
-  if (report.skipped.empty()) {
+  if (report.skippedRuns.empty()) {
     return {};
   }
   std::string text =
       fmt::format("<details class='note'><summary>Skipped runs: {}. The random draws for these "
                   "seeds did not fit the scenario. The results do not contain them.</summary><ul>",
-                  report.skipped.size());
-  for (const SkippedRun& run : report.skipped) {
+                  report.skippedRuns.size());
+  for (const SkippedRun& run : report.skippedRuns) {
     text += fmt::format("<li>{}</li>", htmlEscaped(skippedRunDescription(run)));
   }
   return text + "</ul></details>";
@@ -122,7 +122,7 @@ std::string tiles(const SuiteReport& report, bool aims, const char* caption) {
   std::ptrdiff_t missed = 0;
   std::ptrdiff_t open = 0;
   for (const RequirementResult& result : report.requirements) {
-    if (result.requirement->isAim == aims) {
+    if (result.requirement->isAimForNextVersion == aims) {
       ++(!result.isMeasured() ? open : result.isMet() ? reached : missed);
     }
   }
@@ -154,7 +154,7 @@ std::string belief(const SuiteReport& report) {
       "ellipsoids contain 50 and 95 % of the true positions, and NEES is 3. For methods without "
       "P(exists), it counts as 1 whenever they declare a target. “Sure of a tie” uses only "
       "scenarios in which several objects could be the target equally well.</p>";
-  const std::span<const BeliefSummary> all(report.belief);
+  const std::span<const BeliefSummary> all(report.beliefSummaries);
   for (std::size_t begin = 0; begin < all.size();) {
     std::size_t end = begin;
     while (end < all.size() && all[end].grade == all[begin].grade) {
@@ -213,7 +213,7 @@ std::string plotsOf(std::span<const SuiteCell> cells) {
     plots += figureOf("Share of all frames with at most this error", errorDistribution(cells));
   }
   if (std::ranges::any_of(
-          cells, [](const auto& cell) { return pooledReliability(cell.runs).count > 0; })) {
+          cells, [](const auto& cell) { return pooledReliability(cell.runs).forecastCount > 0; })) {
     plots += figureOf("Does P(exists) mean what it says?", reliabilityDiagram(cells));
   }
   return plots.empty() ? plots : legendOf(cells) + "<div class='plots'>" + plots + "</div>";
@@ -304,7 +304,7 @@ std::string reportHtml(const SuiteReport& report) {
   return "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
          "content='width=device-width, initial-scale=1'><title>Dewpoint accuracy "
          "suite</title><style>" +
-         reportStyle() + "</style></head>\n<body><main>\n" + head(report) + notesOf(report) +
+         reportStyleSheet() + "</style></head>\n<body><main>\n" + head(report) + notesOf(report) +
          links(report) + requirements(report) + belief(report) + overview(report) +
          extents(report) + scenarioRows(report) + explanation() + "\n</main></body></html>\n";
 }

@@ -122,9 +122,9 @@ void fillErrors(const std::vector<Eigen::Vector3d>& errors, const CameraRig& rig
   }
   const ErrorSplit split = splitErrors(errors, cameras);
   row.rmseMm = inMillimeters(split.summary.rmse);
-  row.medianErrorMm = inMillimeters(split.summary.median);
+  row.medianErrorMm = inMillimeters(split.summary.medianError);
   row.p95ErrorMm = inMillimeters(split.summary.p95);
-  row.maxErrorMm = inMillimeters(split.summary.max);
+  row.maxErrorMm = inMillimeters(split.summary.maxError);
   row.biasMm = inMillimeters(split.summary.bias.norm());
   if (split.meanViewBias) {
     row.depthErrorMm = inMillimeters(split.meanViewBias->alongAxisRms);
@@ -135,21 +135,22 @@ void fillErrors(const std::vector<Eigen::Vector3d>& errors, const CameraRig& rig
 
 void fillTracks(const std::vector<TrackFrame>& frames, SuiteRow& row) {
   row.gospaMm = inMillimeters(averageGospa(frames, {kMatchGate, 2.0}).mean);
-  const ClearMot mot = clearMot(frames, kMatchGate);
+  const ClearMot mot = computeClearMot(frames, kMatchGate);
   row.mota = mot.mota();
   row.identitySwitches = static_cast<double>(mot.identitySwitches);
-  row.hota = hota(frames, kMatchGate).hota;
+  row.hota = computeHota(frames, kMatchGate).hota;
   row.falseAlarmPercent = inPercent(falseAlarmFrameShare(frames, kMatchGate).value());
 }
 
 void fillReliability(const std::vector<Forecast>& forecasts, SuiteResult& result) {
-  const Reliability table = reliability(forecasts, kReliabilityBins);
-  result.row.existenceEce = table.expectedError;
+  const Reliability table = computeReliability(forecasts, kReliabilityBins);
+  result.row.existenceEce = table.expectedCalibrationError;
   for (const ReliabilityBin& bin : table.bins) {
-    const auto count = static_cast<double>(bin.count);
-    result.trace.reliability.push_back({bin.count,
-                                        bin.count > 0 ? count * bin.meanProbability : 0.0,
-                                        bin.count > 0 ? std::llround(count * bin.frequency) : 0});
+    const auto count = static_cast<double>(bin.forecastCount);
+    result.trace.reliabilityCounts.push_back(
+        {bin.forecastCount,
+                                        bin.forecastCount > 0 ? count * bin.meanProbability : 0.0,
+                                        bin.forecastCount > 0 ? std::llround(count * bin.observedFrequency) : 0});
   }
 }
 
@@ -158,7 +159,7 @@ bool isInside95(const StateError& sample) {
 }
 
 void fillConsistency(const std::vector<StateError>& samples, SuiteRow& row) {
-  const Consistency fit = consistency(samples);
+  const Consistency fit = computeConsistency(samples);
   row.nees = fit.nees.value;
   row.coverage95Percent = inPercent(fit.coverage95.value());
   row.coverage50Percent = inPercent(fit.coverage50.value());
@@ -170,17 +171,17 @@ SuiteRow::Value figureOrNone(double value) {
 }
 
 void fillExtents(const std::vector<ExtentSample>& samples, SuiteRow& row) {
-  const ExtentErrors errors = extentErrors(samples);
-  row.nearCentroidPercent = figureOrNone(inPercent(errors.nearProportion.value()));
-  row.centroidErrorPercent = figureOrNone(inPercent(errors.centroid));
-  row.sizeErrorPercent = figureOrNone(inPercent(errors.size));
+  const ExtentErrors errors = measureExtentErrors(samples);
+  row.nearCentroidPercent = figureOrNone(inPercent(errors.nearEstimateProportion.value()));
+  row.centroidErrorPercent = figureOrNone(inPercent(errors.relativeCentroidError));
+  row.sizeErrorPercent = figureOrNone(inPercent(errors.relativeSizeError));
 }
 
 void fillOverconfidence(const std::vector<ReportedBelief>& beliefs, SuiteRow& row) {
-  const Overconfidence shares = overconfidence(beliefs, kFollowGate);
-  row.confidentlyWrongPercent = inPercent(shares.confidentlyWrong.value());
-  row.wrongPercent = inPercent(shares.wrong.value());
-  row.wrongWhenConfidentPercent = inPercent(shares.wrongWhenConfident.value());
+  const Overconfidence shares = measureOverconfidence(beliefs, kFollowGate);
+  row.confidentlyWrongPercent = inPercent(shares.confidentlyWrongShare.value());
+  row.wrongPercent = inPercent(shares.wrongShare.value());
+  row.wrongWhenConfidentPercent = inPercent(shares.wrongAndConfidentShare.value());
 }
 
 } // namespace
@@ -211,7 +212,7 @@ SuiteRecorder::SuiteRecorder(const ScenarioRun& run, std::string method)
   for (std::size_t k = 0; k < run.truth.samples.size(); ++k) {
     const TrajectorySample& sample = run.truth.samples[k];
     const auto target = index.find(sample.target);
-    if (sample.valid && target != index.end() && sample.frame >= 0 &&
+    if (sample.isValid && target != index.end() && sample.frame >= 0 &&
         sample.frame < run.frameCount) {
       const auto frame = static_cast<std::size_t>(sample.frame);
       truth_[frame][target->second] = sample.position;
@@ -247,7 +248,7 @@ std::vector<TargetFrame> SuiteRecorder::framesOf(std::size_t truth, std::size_t 
     if (reportsPresence(estimates_[k][estimate])) {
       frame.estimate = estimates_[k][estimate].mean;
     }
-    frame.visible = !areAllCamerasBlind(frame.frame) && !isOutOfView(run_, frame.frame);
+    frame.isVisible = !areAllCamerasBlind(frame.frame) && !isOutOfView(run_, frame.frame);
     frames.push_back(frame);
   }
   return frames;
@@ -307,7 +308,7 @@ void SuiteRecorder::addTarget(std::size_t target, std::size_t estimate, Samples&
   raise(result.row.framesToConverge, framesOrNever(converged));
   measureEvents(run_, frames, result.row);
   const auto begin = static_cast<std::size_t>(converged.value_or(0));
-  const auto inPart = lostFrames(std::span(frames).subspan(begin), kFollowGate);
+  const auto inPart = lostFrameShare(std::span(frames).subspan(begin), kFollowGate);
   samples.lost.count += inPart.count;
   samples.lost.total += inPart.total;
   const bool sizeIsGiven = run_.targets[target].radius > 0.0;
@@ -342,7 +343,7 @@ void SuiteRecorder::addTarget(std::size_t target, std::size_t estimate, Samples&
       samples.states.push_back({*error, covariance});
     }
     const TargetExtent* const extent = extentOf(k, target);
-    if (extent != nullptr && frames[k].truth && frames[k].visible) {
+    if (extent != nullptr && frames[k].truth && frames[k].isVisible) {
       const bool hasSize = error && !sizeIsGiven && stated.radius > 0.0;
       samples.extents.push_back({error ? std::optional(error->norm()) : std::nullopt,
                                  extent->halfAxes.maxCoeff(), extent->radius,
@@ -367,9 +368,9 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
   fillConsistency(samples.states, row);
   fillReliability(samples.forecasts, result);
   fillOverconfidence(samples.beliefs, row);
-  if (run_.equalCandidates > 1) {
+  if (run_.equalCandidateCount > 1) {
     row.confidentInTiePercent = figureOrNone(
-        inPercent(confidentInTieShare(samples.firstBeliefs, run_.equalCandidates).value()));
+        inPercent(confidentInTieShare(samples.firstBeliefs, run_.equalCandidateCount).value()));
   }
   fillTracks(trackFrames(), row);
   if (samples.lost.total > 0) {
@@ -379,7 +380,7 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
     row.blackoutCoverage95Percent = inPercent(samples.blindInside.value());
   }
   row.usPerFrame = usPerFrame;
-  row.frames = static_cast<double>(estimates_.size());
+  row.frameCount = static_cast<double>(estimates_.size());
   return result;
 }
 

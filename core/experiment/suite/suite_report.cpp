@@ -33,13 +33,13 @@ Json barJson(const RequirementResult& result) {
   Json json;
   json["item"] = result.requirement->number;
   json["grade"] = result.requirement->grade;
-  json["next_version"] = result.requirement->isAim;
+  json["next_version"] = result.requirement->isAimForNextVersion;
   json["requirement"] = result.requirement->description;
   json["scenarios"] = result.requirement->scenarios;
   json["unit"] = result.requirement->unit;
-  json["low"] = number(result.requirement->low);
-  json["high"] = number(result.requirement->high);
-  json["runs"] = result.runs;
+  json["low"] = number(result.requirement->lowerLimit);
+  json["high"] = number(result.requirement->upperLimit);
+  json["runs"] = result.runCount;
   json["value"] = number(result.value);
   json["scenario"] = result.scenario.empty() ? Json(nullptr) : Json(result.scenario);
   json["shortfall"] = result.isMeasured() ? number(result.shortfall()) : Json(nullptr);
@@ -53,12 +53,12 @@ Json beliefJson(const BeliefSummary& summary) {
   Json json;
   json["grade"] = gradeName(summary.grade);
   json["method"] = summary.method;
-  json["scenarios"] = summary.scenarios;
-  json["runs"] = summary.runs;
-  for (std::size_t k = 0; k < summary.metrics.size(); ++k) {
-    const ScenarioSummary& figure = summary.metrics[k];
-    json["figures"][beliefMetrics()[k].name] = {{"median", number(figure.median)},
-                                                {"worst", number(figure.worst)},
+  json["scenarios"] = summary.scenarioCount;
+  json["runs"] = summary.runCount;
+  for (std::size_t k = 0; k < summary.metricSummaries.size(); ++k) {
+    const ScenarioSummary& figure = summary.metricSummaries[k];
+    json["figures"][beliefMetrics()[k].name] = {{"median", number(figure.medianValue)},
+                                                {"worst", number(figure.worstValue)},
                                                 {"worst_scenario", figure.worstScenario}};
   }
   return json;
@@ -81,9 +81,9 @@ Json cellJson(const SuiteCell& cell) {
   json["runs"] = cell.runs.size();
   json["median_rmse_mm"] = interval(cell.rmseMm);
   json["pooled_p95_mm"] = interval(cell.p95ErrorMm);
-  json["converged_within_5_frames"] = cell.quick.count;
+  json["converged_within_5_frames"] = cell.quicklyConverged.count;
   json["converged"] = cell.converged.count;
-  json["pooled_existence_ece"] = number(pooledReliability(cell.runs).expectedError);
+  json["pooled_existence_ece"] = number(pooledReliability(cell.runs).expectedCalibrationError);
   for (const SuiteColumn& column : suiteColumns()) {
     json["runs_median"][column.name] = number(columnQuantile(cell.runs, column.value, 0.5));
     json["runs_mean"][column.name] = number(meanOf(cell.runs, column.value));
@@ -113,7 +113,7 @@ std::string summaryCsv(const SuiteReport& report) {
                                cell.p95ErrorMm.value, cell.p95ErrorMm.low, cell.p95ErrorMm.high}) {
       text += fmt::format(",{}", csvNumber(value));
     }
-    text += fmt::format(",{},{}", cell.quick.count, cell.converged.count);
+    text += fmt::format(",{},{}", cell.quicklyConverged.count, cell.converged.count);
     for (const SuiteColumn& column : suiteColumns()) {
       text += fmt::format(",{}", csvNumber(columnQuantile(cell.runs, column.value, 0.5)));
     }
@@ -124,12 +124,13 @@ std::string summaryCsv(const SuiteReport& report) {
 
 std::string beliefCsv(const SuiteReport& report) {
   std::string text = "grade,method,scenarios,runs,figure,median,worst,worst_scenario\n";
-  for (const BeliefSummary& summary : report.belief) {
-    for (std::size_t k = 0; k < summary.metrics.size(); ++k) {
-      const ScenarioSummary& figure = summary.metrics[k];
+  for (const BeliefSummary& summary : report.beliefSummaries) {
+    for (std::size_t k = 0; k < summary.metricSummaries.size(); ++k) {
+      const ScenarioSummary& figure = summary.metricSummaries[k];
       text += fmt::format("{},{},{},{},{},{},{},{}\n", gradeName(summary.grade), summary.method,
-                          summary.scenarios, summary.runs, beliefMetrics()[k].name,
-                          csvNumber(figure.median), csvNumber(figure.worst), figure.worstScenario);
+                          summary.scenarioCount, summary.runCount, beliefMetrics()[k].name,
+                          csvNumber(figure.medianValue), csvNumber(figure.worstValue),
+                          figure.worstScenario);
     }
   }
   return text;
@@ -143,7 +144,7 @@ std::string reportJson(const SuiteReport& report) {
   json["reporting_seeds"] = areReportingSeeds(report.seeds);
   json["notes"] = report.notes;
   json["skipped"] = Json::array();
-  for (const SkippedRun& run : report.skipped) {
+  for (const SkippedRun& run : report.skippedRuns) {
     json["skipped"].push_back(skippedJson(run));
   }
   json["bars"] = Json::array();
@@ -151,7 +152,7 @@ std::string reportJson(const SuiteReport& report) {
     json["bars"].push_back(barJson(result));
   }
   json["belief"] = Json::array();
-  for (const BeliefSummary& summary : report.belief) {
+  for (const BeliefSummary& summary : report.beliefSummaries) {
     json["belief"].push_back(beliefJson(summary));
   }
   json["cells"] = Json::array();
@@ -167,11 +168,11 @@ Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults&
                         const std::vector<std::string>& notes, const SkippedRuns& skipped) {
   SuiteReport report;
   report.cells = summarizeSuite(results, order);
-  report.belief = summarizeBelief(report.cells);
+  report.beliefSummaries = summarizeBelief(report.cells);
   report.requirements = measureRequirements(report.cells);
   report.catalog = catalog;
   report.notes = notes;
-  report.skipped = skipped;
+  report.skippedRuns = skipped;
   std::set<std::uint64_t> seeds;
   for (const RunKey& key : order) {
     seeds.insert(key.seed);

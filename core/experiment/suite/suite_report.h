@@ -16,12 +16,12 @@ namespace dewpoint::experiment {
 /// Data for the files of a report.
 struct SuiteReport {
   std::vector<SuiteCell> cells;
-  std::vector<BeliefSummary> belief;
+  std::vector<BeliefSummary> beliefSummaries;
   std::vector<RequirementResult> requirements;
   std::span<const ScenarioDeclaration> catalog;
   std::vector<std::uint64_t> seeds; ///< ascending, without duplicates
   std::vector<std::string> notes;   ///< sentences about missing data
-  SkippedRuns skipped;              ///< runs that could not be created
+  SkippedRuns skippedRuns;          ///< runs that could not be created
 };
 
 /// Returns the results as CSV, with one line per cell (scenario, grade and method).

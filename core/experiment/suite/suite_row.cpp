@@ -159,12 +159,12 @@ std::span<const SuiteColumn> suiteColumns() {
       SuiteColumn{"rmse_px", &SuiteRow::rmsePx,
                   "of real clips: RMS distance in the images from the true centers, after "
                   "convergence; of clips of one camera over all frames"},
-      SuiteColumn{"success", &SuiteRow::success,
+      SuiteColumn{"success", &SuiteRow::boxSuccess,
                   "of clips of one camera: area under the success curve of the boxes (Wu, Lim and "
                   "Yang 2013); lost frames and convergence count within the clip's radius there"},
       SuiteColumn{"us_per_frame", &SuiteRow::usPerFrame,
                   "processor time of the method per frame, microseconds, one thread"},
-      SuiteColumn{"frames", &SuiteRow::frames, "frames of the run"},
+      SuiteColumn{"frames", &SuiteRow::frameCount, "frames of the run"},
   };
   return kColumns;
 }
@@ -199,7 +199,7 @@ std::string traceText(const SuiteTrace& trace) {
     errors += fmt::format("{}{}", errors.empty() ? "" : ";", errorsText(target));
   }
   std::string bins;
-  for (const ReliabilityCount& bin : trace.reliability) {
+  for (const ReliabilityCount& bin : trace.reliabilityCounts) {
     bins += fmt::format("{}{}:{:.6g}:{}", bins.empty() ? "" : " ", bin.count, bin.probabilitySum,
                         bin.hitCount);
   }
@@ -250,9 +250,9 @@ std::optional<SuiteTrace> parseTrace(const std::string& line) {
     if (!bin) {
       return std::nullopt;
     }
-    trace.reliability.push_back(*bin);
+    trace.reliabilityCounts.push_back(*bin);
   }
-  return trace.reliability.size() == kReliabilityBins ? std::optional(trace) : std::nullopt;
+  return trace.reliabilityCounts.size() == kReliabilityBins ? std::optional(trace) : std::nullopt;
 }
 
 } // namespace dewpoint::experiment

@@ -78,9 +78,9 @@ struct SuiteRow {
   Value blackoutCoverage95Percent;
   Value largestStepMm;
   Value rmsePx;
-  Value success;
+  Value boxSuccess;
   Value usPerFrame;
-  Value frames;
+  Value frameCount;
 };
 
 /// Describes a column of runs.csv after the first four, which identify the run.
@@ -106,7 +106,7 @@ struct SuiteTrace {
   /// Distance of the estimate from the truth in millimeters, per target and frame. NaN if the
   /// method does not declare the target present, or if the target is absent.
   std::vector<std::vector<double>> errorsMm;
-  std::vector<ReliabilityCount> reliability; ///< kReliabilityBins entries
+  std::vector<ReliabilityCount> reliabilityCounts; ///< kReliabilityBins entries
 };
 
 /// Return the header and one line of runs.csv and of traces.csv, without the line end. Numbers have

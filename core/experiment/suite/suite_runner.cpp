@@ -59,12 +59,13 @@ Result<std::vector<EvaluatedTracker>> enter(const SuiteJob& job, const ScenarioR
     if (!tracker) {
       return tl::make_unexpected(tracker.error());
     }
-    contestants.push_back({TrackingRun::of(std::move(*tracker), definitionOf(method, run), 1),
-                           SuiteRecorder(measured, method),
-                           PixelRecorder(run),
-                           smoothed,
-                           {},
-                           0.0});
+    contestants.push_back(
+        {TrackingRun::fromTracker(std::move(*tracker), definitionOf(method, run), 1),
+         SuiteRecorder(measured, method),
+         PixelRecorder(run),
+         smoothed,
+         {},
+         0.0});
   }
   return contestants;
 }
@@ -179,7 +180,7 @@ Result<std::vector<SuiteResult>> runJob(const SuiteJob& job, const std::function
 
 /// The run that this job cannot have, if that is what the error says.
 std::optional<SkippedRun> skippedBy(const SuiteJob& job, const Error& error) {
-  if (error.code != ErrorCode::Undetermined || job.scenario->recorded) {
+  if (error.code != ErrorCode::Undetermined || job.scenario->isRecorded) {
     return std::nullopt;
   }
   return SkippedRun{job.scenario->name, job.grade, job.seed,
@@ -187,7 +188,7 @@ std::optional<SkippedRun> skippedBy(const SuiteJob& job, const Error& error) {
 }
 
 bool isRunIn(const ScenarioDeclaration& scenario, Grade grade) {
-  return scenario.recorded == (grade == Grade::Real);
+  return scenario.isRecorded == (grade == Grade::Real);
 }
 
 bool isRunBy(const ScenarioDeclaration& scenario, const std::string& method) {
@@ -255,7 +256,7 @@ std::vector<SuiteJob> planSuite(const SuiteRequest& request, const SuiteResults&
       if (!isRunIn(*scenario, grade)) {
         continue;
       }
-      const int seeds = request.seeds.value_or(scenario->seeds);
+      const int seeds = request.seedCount.value_or(scenario->seedCount);
       for (int k = 0; k < seeds; ++k) {
         SuiteJob job{scenario, grade, request.firstSeed + static_cast<std::uint64_t>(k), {}};
         std::ranges::copy_if(request.methods, std::back_inserter(job.methods),

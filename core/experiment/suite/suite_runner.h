@@ -19,7 +19,8 @@ struct SuiteRequest {
   std::vector<const ScenarioDeclaration*> scenarios;
   std::vector<Grade> grades;
   std::vector<std::string> methods;
-  std::optional<int> seeds; ///< number of seeds per scenario; if not set, the scenario's default
+  /// Number of seeds per scenario; if not set, the scenario's default.
+  std::optional<int> seedCount;
   std::uint64_t firstSeed = kFirstReportingSeed;
 };
 

@@ -34,15 +34,15 @@ public:
   static Result<SkippedRuns> readSkipped(const std::filesystem::path& folder);
 
   const SuiteResults& results() const { return results_; }
-  const SkippedRuns& skipped() const { return skipped_; }
+  const SkippedRuns& skippedRuns() const { return skipped_; }
   /// Adds results to results(), and replaces existing results of the same runs. The files do not
   /// change until rewrite() is called.
   void merge(const SuiteResults& results);
-  /// Adds skipped runs to skipped(). The files do not change until rewrite() is called.
+  /// Adds skipped runs to skippedRuns(). The files do not change until rewrite() is called.
   void merge(const SkippedRuns& skipped);
   /// Adds one result to runs.csv, to traces.csv and to results().
   Status append(const SuiteResult& result);
-  /// Adds one skipped run to skipped.csv and to skipped().
+  /// Adds one skipped run to skipped.csv and to skippedRuns().
   Status append(const SkippedRun& run);
   /// Rewrites all files, with the runs in the order of the given keys.
   Status rewrite(const std::vector<RunKey>& order);

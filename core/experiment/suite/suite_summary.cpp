@@ -47,9 +47,9 @@ void conclude(SuiteCell& cell) {
   for (const SuiteResult* run : cell.runs) {
     const double frames =
         run->row.framesToConverge.value_or(std::numeric_limits<double>::infinity());
-    ++cell.quick.total;
+    ++cell.quicklyConverged.total;
     ++cell.converged.total;
-    cell.quick.count += frames <= kQuickFrames ? 1 : 0;
+    cell.quicklyConverged.count += frames <= kQuickFrames ? 1 : 0;
     cell.converged.count += std::isfinite(frames) ? 1 : 0;
   }
 }
@@ -124,14 +124,14 @@ Reliability pooledReliability(std::span<const SuiteResult* const> runs) {
   Reliability pooled;
   for (const SuiteResult* run : runs) {
     for (std::size_t k = 0; k < sums.size(); ++k) {
-      const ReliabilityCount& bin = run->trace.reliability[k];
+      const ReliabilityCount& bin = run->trace.reliabilityCounts[k];
       sums[k].count += bin.count;
       sums[k].probabilitySum += bin.probabilitySum;
       sums[k].hitCount += bin.hitCount;
-      pooled.count += bin.count;
+      pooled.forecastCount += bin.count;
     }
   }
-  pooled.expectedError = pooled.count > 0 ? 0.0 : kNoValue;
+  pooled.expectedCalibrationError = pooled.forecastCount > 0 ? 0.0 : kNoValue;
   pooled.brierScore = kNoValue; // needs each forecast
   for (std::size_t k = 0; k < sums.size(); ++k) {
     const auto count = static_cast<double>(sums[k].count);
@@ -140,10 +140,10 @@ Reliability pooledReliability(std::span<const SuiteResult* const> runs) {
                              sums[k].probabilitySum / count,
                              static_cast<double>(sums[k].hitCount) / count};
     pooled.bins.push_back(bin);
-    if (bin.count > 0) {
-      const double gap = std::abs(bin.frequency - bin.meanProbability);
-      pooled.expectedError += count / static_cast<double>(pooled.count) * gap;
-      pooled.maxError = std::max(pooled.maxError, gap);
+    if (bin.forecastCount > 0) {
+      const double gap = std::abs(bin.observedFrequency - bin.meanProbability);
+      pooled.expectedCalibrationError += count / static_cast<double>(pooled.forecastCount) * gap;
+      pooled.maxCalibrationError = std::max(pooled.maxCalibrationError, gap);
     }
   }
   return pooled;

@@ -26,8 +26,8 @@ struct SuiteCell {
   /// 95th percentile of the errors after convergence, over all frames of all runs, with its
   /// bootstrap interval. Whole runs are resampled for this interval.
   Interval p95ErrorMm;
-  Proportion quick;     ///< fraction of the runs that converged within kQuickFrames frames
-  Proportion converged; ///< fraction of the runs that converged
+  Proportion quicklyConverged; ///< fraction of the runs that converged within kQuickFrames frames
+  Proportion converged;        ///< fraction of the runs that converged
 };
 
 /// Groups the runs with the keys `order` into cells (scenario, grade and method), in this order.

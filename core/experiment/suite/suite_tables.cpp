@@ -24,14 +24,15 @@ std::string intervalText(const Interval& interval) {
 
 std::string requirementOf(const SuiteRequirement& bar) {
   const std::string unit = bar.unit.empty() ? "" : " " + bar.unit;
-  if (std::isinf(bar.low)) {
-    return fmt::format("≤ {:g}{}", bar.high, unit);
+  if (std::isinf(bar.lowerLimit)) {
+    return fmt::format("≤ {:g}{}", bar.upperLimit, unit);
   }
-  if (std::isinf(bar.high)) {
-    return fmt::format("≥ {:g}{}", bar.low, unit);
+  if (std::isinf(bar.upperLimit)) {
+    return fmt::format("≥ {:g}{}", bar.lowerLimit, unit);
   }
-  return bar.low == bar.high ? fmt::format("{:g}{}", bar.high, unit)
-                             : fmt::format("{:g}–{:g}{}", bar.low, bar.high, unit);
+  return bar.lowerLimit == bar.upperLimit
+             ? fmt::format("{:g}{}", bar.upperLimit, unit)
+             : fmt::format("{:g}–{:g}{}", bar.lowerLimit, bar.upperLimit, unit);
 }
 
 std::string assessmentOf(const RequirementResult& result) {
@@ -57,11 +58,11 @@ std::string valueOf(const RequirementResult& result) {
 }
 
 std::string beliefCell(const ScenarioSummary& figure) {
-  if (std::isnan(figure.median)) {
+  if (std::isnan(figure.medianValue)) {
     return "<td>-</td>";
   }
-  return fmt::format("<td>{}<br><small>{} in {}</small></td>", formatValue(figure.median),
-                     formatValue(figure.worst), htmlEscaped(figure.worstScenario));
+  return fmt::format("<td>{}<br><small>{} in {}</small></td>", formatValue(figure.medianValue),
+                     formatValue(figure.worstValue), htmlEscaped(figure.worstScenario));
 }
 
 std::string methodName(const std::string& method) {
@@ -97,7 +98,7 @@ const std::vector<TableColumn>& tableColumns() {
       {"jitter<br>mm", medianText<&SuiteRow::jitterMm>},
       {"lost<br>%", meanText<&SuiteRow::lostPercent>},
       {"false<br>alarms %", meanText<&SuiteRow::falseAlarmPercent>},
-      {"within<br>5 frames", [](const SuiteCell& c) { return countText(c.quick); }},
+      {"within<br>5 frames", [](const SuiteCell& c) { return countText(c.quicklyConverged); }},
       {"converged<br>at all", [](const SuiteCell& c) { return countText(c.converged); }},
       {"frames to<br>re-acquire", medianText<&SuiteRow::framesToReacquire>},
       {"while blind<br>mm", medianText<&SuiteRow::blackoutRmseMm>},
@@ -107,7 +108,9 @@ const std::vector<TableColumn>& tableColumns() {
       {"in 50 %<br>ellipsoid %", meanText<&SuiteRow::coverage50Percent>},
       {"in 95 %<br>ellipsoid %", meanText<&SuiteRow::coverage95Percent>},
       {"ECE of<br>P(exists)",
-       [](const SuiteCell& c) { return formatValue(pooledReliability(c.runs).expectedError); }},
+       [](const SuiteCell& c) {
+         return formatValue(pooledReliability(c.runs).expectedCalibrationError);
+       }},
       {"sure and<br>wrong %", meanText<&SuiteRow::confidentlyWrongPercent>},
       {"declared, not<br>within 30 mm %", meanText<&SuiteRow::wrongPercent>},
       {"sure of<br>a tie %", meanText<&SuiteRow::confidentInTiePercent>},
@@ -119,7 +122,7 @@ const std::vector<TableColumn>& tableColumns() {
       {"HOTA", medianText<&SuiteRow::hota>, true},
       {"identity<br>switches", meanText<&SuiteRow::identitySwitches>, true},
       {"RMSE in<br>images px", medianText<&SuiteRow::rmsePx>},
-      {"success<br>of boxes", medianText<&SuiteRow::success>},
+      {"success<br>of boxes", medianText<&SuiteRow::boxSuccess>},
       {"µs per<br>frame", medianText<&SuiteRow::usPerFrame>},
   };
   return columns;
@@ -255,11 +258,11 @@ std::string requirementTable(std::span<const RequirementResult> requirements) {
       "be</th><th>is</th><th>runs</th><th class='text'>result</th></tr></thead><tbody>";
   for (const RequirementResult& result : requirements) {
     const char* const aim =
-        result.requirement->isAim ? " <span class='chip'>next version</span>" : "";
+        result.requirement->isAimForNextVersion ? " <span class='chip'>next version</span>" : "";
     text += fmt::format("<tr><td>{}</td><td class='text'>{}{}</td><td>{}</td><td>{}</td><td>{}</td>"
                         "<td class='text'>{}</td></tr>",
                         result.requirement->number, htmlEscaped(result.requirement->description),
-                        aim, requirementOf(*result.requirement), valueOf(result), result.runs,
+                        aim, requirementOf(*result.requirement), valueOf(result), result.runCount,
                         assessmentOf(result));
   }
   return text + "</tbody></table></div>";
@@ -274,8 +277,8 @@ std::string beliefTable(std::span<const BeliefSummary> methods) {
   for (const BeliefSummary& summary : methods) {
     text += fmt::format("<tr{}><td>{}</td><td>{}</td>",
                         summary.method == defaultMethod() ? " class='ours'" : "",
-                        methodName(summary.method), summary.scenarios);
-    for (const ScenarioSummary& figure : summary.metrics) {
+                        methodName(summary.method), summary.scenarioCount);
+    for (const ScenarioSummary& figure : summary.metricSummaries) {
       text += beliefCell(figure);
     }
     text += "</tr>";

@@ -37,8 +37,8 @@ DEWPOINT_KERNEL std::uint8_t channelAgrees(std::uint8_t value, std::uint8_t mean
   const std::uint8_t higher = value > mean ? value : mean;
   const std::uint8_t lower = value > mean ? mean : value;
   const auto size = static_cast<std::uint8_t>(higher - lower);
-  const auto allowed = static_cast<std::uint8_t>(BackgroundModel::kTolerance +
-                                                 (mean >> BackgroundModel::kToleranceShift));
+  const auto allowed = static_cast<std::uint8_t>(BackgroundModel::kBaseTolerance +
+                                                 (mean >> BackgroundModel::kToleranceShiftBits));
   return size <= allowed ? 1 : 0;
 }
 

@@ -30,9 +30,9 @@ public:
   static constexpr int kObservationsUntilKnown = 3;
   /// Tolerance in gray levels: five standard deviations of usual sensor noise. A color agrees with
   /// the mean if the difference in each channel is at most this tolerance plus one eighth of the
-  /// mean (mean >> kToleranceShift). The eighth allows for small light changes.
-  static constexpr int kTolerance = kBackgroundTolerance;
-  static constexpr int kToleranceShift = kBackgroundToleranceShift;
+  /// mean (mean >> kToleranceShiftBits). The eighth allows for small light changes.
+  static constexpr int kBaseTolerance = kBackgroundTolerance;
+  static constexpr int kToleranceShiftBits = kBackgroundToleranceShift;
 
   BackgroundModel() = default;
   /// Copies the model including its pixels.
@@ -74,7 +74,7 @@ public:
   /// Returns the light of the last image relative to the reference light, per channel (blue, green,
   /// red). The reference light is the light of the first image, or the light at the last call of
   /// resetReferenceLight().
-  const Eigen::Array3d& light() const { return light_; }
+  const Eigen::Array3d& relativeLight() const { return light_; }
   void resetReferenceLight() { light_.setOnes(); }
 
   /// Value of `matched` in labelRow() for a pixel that has the target color only after conversion

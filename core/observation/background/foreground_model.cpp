@@ -24,7 +24,7 @@ public:
   }
 
   void subtract(const cv::Mat& image, const cv::Mat& /*keep*/, cv::Mat& mask) override {
-    subtractor_->apply(image, mask, 0.7 / std::max(1.0, settings_.memoryFrames));
+    subtractor_->apply(image, mask, 0.7 / std::max(1.0, settings_.memoryFrameCount));
     cv::threshold(mask, mask, kShadow, 255.0, cv::THRESH_BINARY);
   }
 

@@ -21,10 +21,10 @@ enum class BackgroundMethod {
 struct ForegroundSettings {
   BackgroundMethod method = BackgroundMethod::Running;
   /// Number of frames at the start that are used only for learning.
-  int learningFrames = 15;
+  int learningFrameCount = 15;
   /// Number of frames after which the background color behind a new, motionless object has changed
   /// halfway to the color of the object.
-  double memoryFrames = 600.0;
+  double memoryFrameCount = 600.0;
   /// Lowest brightness, as a fraction of the usual brightness, at which a pixel still counts as a
   /// shadow.
   double darkestShadow = 0.5;

@@ -42,8 +42,8 @@ struct EitherKernel {
 
 } // namespace
 
-void LabelImage::begin(const cv::Mat& image, const BackgroundModel& background,
-                       const ColorClassifier& classifier, const ColorClassifier& usual) {
+void LabelImage::setImage(const cv::Mat& image, const BackgroundModel& background,
+                          const ColorClassifier& classifier, const ColorClassifier& usual) {
   image_ = image;
   background_ = &background;
   classifier_ = &classifier;
@@ -90,7 +90,8 @@ void LabelImage::matchInReferenceLight(const std::uint8_t* row, int count) {
   relit_.resize(3 * width);
   again_.resize(width);
   const auto gain = [&](Eigen::Index channel) {
-    return static_cast<std::int32_t>(std::lround((1 << kGainBits) / background_->light()[channel]));
+    return static_cast<std::int32_t>(
+        std::lround((1 << kGainBits) / background_->relativeLight()[channel]));
   };
   runKernel<RelightKernel>(row, std::int64_t{count}, gain(0), gain(1), gain(2), relit_.data());
   usual_->matchRow(relit_.data(), count, again_.data());
@@ -103,7 +104,7 @@ void LabelImage::computeLabels(const cv::Rect& area) {
     return;
   }
   matched_.resize(static_cast<std::size_t>(area.width));
-  const bool otherLight = (background_->light() - 1.0).abs().maxCoeff() > kOtherLight;
+  const bool otherLight = (background_->relativeLight() - 1.0).abs().maxCoeff() > kOtherLight;
   for (int row = area.y; row < area.y + area.height; ++row) {
     const std::uint8_t* pixels = image_.ptr<std::uint8_t>(row) + std::ptrdiff_t{3} * area.x;
     classifier_->matchRow(pixels, area.width, matched_.data());
@@ -118,27 +119,28 @@ void LabelImage::computeLabels(const cv::Rect& area) {
   }
 }
 
-void LabelImage::markExplained(const Circle& other, const Circle& except) {
-  explained_.push_back({other, except});
+void LabelImage::markExplained(const Circle& explainedCircle, const Circle& keptCircle) {
+  explained_.push_back({explainedCircle, keptCircle});
   applyExplanation(explained_.back(), covered_);
 }
 
 void LabelImage::applyExplanation(const Explanation& explanation, const cv::Rect& area) {
-  const auto& [other, except] = explanation;
-  const double reach = other.radius;
-  const int top = std::max(area.y, static_cast<int>(std::ceil(other.center.y() - reach)));
-  const int bottom =
-      std::min(area.y + area.height - 1, static_cast<int>(std::floor(other.center.y() + reach)));
+  const auto& [explainedCircle, keptCircle] = explanation;
+  const double reach = explainedCircle.radius;
+  const int top = std::max(area.y, static_cast<int>(std::ceil(explainedCircle.center.y() - reach)));
+  const int bottom = std::min(area.y + area.height - 1,
+                              static_cast<int>(std::floor(explainedCircle.center.y() + reach)));
   for (int row = top; row <= bottom; ++row) {
-    const double above = row - other.center.y();
+    const double above = row - explainedCircle.center.y();
     const double half = std::sqrt(std::max(0.0, reach * reach - above * above));
-    const int left = std::max(area.x, static_cast<int>(std::ceil(other.center.x() - half)));
-    const int right =
-        std::min(area.x + area.width - 1, static_cast<int>(std::floor(other.center.x() + half)));
+    const int left =
+        std::max(area.x, static_cast<int>(std::ceil(explainedCircle.center.x() - half)));
+    const int right = std::min(area.x + area.width - 1,
+                               static_cast<int>(std::floor(explainedCircle.center.x() + half)));
     std::uint8_t* labels = labels_.ptr<std::uint8_t>(row);
     for (int column = left; column <= right; ++column) {
-      const bool kept = (Eigen::Vector2d(column, row) - except.center).squaredNorm() <
-                        except.radius * except.radius;
+      const bool kept = (Eigen::Vector2d(column, row) - keptCircle.center).squaredNorm() <
+                        keptCircle.radius * keptCircle.radius;
       if (!kept && labels[column] == static_cast<std::uint8_t>(PixelLabel::Target)) {
         labels[column] = static_cast<std::uint8_t>(PixelLabel::Explained);
       }

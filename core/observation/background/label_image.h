@@ -30,13 +30,14 @@ inline constexpr std::size_t kPixelLabelCount = 5;
 class LabelImage {
 public:
   /// Starts with a new image (CV_8UC3), without any labels. The image, background and classifiers
-  /// must stay valid until the next call of begin() or clear(). `classifier` tests for the target's
-  /// color in the light of the image, `usual` in the reference light (BackgroundModel::light()).
-  void begin(const cv::Mat& image, const BackgroundModel& background,
-             const ColorClassifier& classifier, const ColorClassifier& usual);
-  void begin(const cv::Mat& image, const BackgroundModel& background,
-             const ColorClassifier& classifier) {
-    begin(image, background, classifier, classifier);
+  /// must stay valid until the next call of setImage() or clear(). `classifier` tests for the
+  /// target's color in the light of the image, `usual` in the reference light
+  /// (BackgroundModel::relativeLight()).
+  void setImage(const cv::Mat& image, const BackgroundModel& background,
+                const ColorClassifier& classifier, const ColorClassifier& usual);
+  void setImage(const cv::Mat& image, const BackgroundModel& background,
+                const ColorClassifier& classifier) {
+    setImage(image, background, classifier, classifier);
   }
   /// Removes the image and its labels. Call it for a frame in which the camera has no image.
   void clear();
@@ -56,10 +57,10 @@ public:
     Eigen::Vector2d center = Eigen::Vector2d::Zero();
     double radius = 0.0;
   };
-  /// Labels matching pixels within the circle `other` as Explained, because another target is
-  /// there. Pixels within the circle `except` keep their labels. The circles also apply to labels
+  /// Labels matching pixels within `explainedCircle` as Explained, because another target is
+  /// there. Pixels within `keptCircle` keep their labels. The circles also apply to labels
   /// that are computed later.
-  void markExplained(const Circle& other, const Circle& except);
+  void markExplained(const Circle& explainedCircle, const Circle& keptCircle);
 
   /// Returns the label of a pixel. Returns Explained, which is no evidence, for a pixel outside
   /// labeledArea().
@@ -76,8 +77,8 @@ public:
 
 private:
   struct Explanation {
-    Circle other;
-    Circle except;
+    Circle explainedCircle;
+    Circle keptCircle;
   };
   void computeLabels(const cv::Rect& area);
   void applyExplanation(const Explanation& explanation, const cv::Rect& area);

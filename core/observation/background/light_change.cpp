@@ -83,8 +83,9 @@ double agreement(const std::vector<LightSample>& samples, const Eigen::Array3d& 
     for (Eigen::Index channel = 0; channel < 3; ++channel) {
       const double expected =
           std::min(255.0, gain[channel] * sample.usual[static_cast<std::size_t>(channel)]);
-      const double allowed = BackgroundModel::kTolerance +
-                             expected / (1 << BackgroundModel::kToleranceShift); // as for labels
+      const double allowed =
+          BackgroundModel::kBaseTolerance +
+          expected / (1 << BackgroundModel::kToleranceShiftBits); // as for labels
       if (std::abs(sample.now[static_cast<std::size_t>(channel)] - expected) > allowed) {
         return false;
       }

@@ -127,7 +127,7 @@ void RunningBackground::subtract(const cv::Mat& image, const cv::Mat& keep, cv::
   splitChannels(image);
   mask.create(size_, CV_8UC1);
   constexpr float kRate = 0.02F; // per frame: the mean follows the light within some seconds
-  const auto slow = static_cast<float>(0.7 / std::max(1.0, settings_.memoryFrames));
+  const auto slow = static_cast<float>(0.7 / std::max(1.0, settings_.memoryFrameCount));
   if (keep.empty()) {
     nothing_.assign(image.total(), 0);
   }

@@ -29,7 +29,7 @@ BoxContrast::BoxContrast(const cv::Mat& bgr, const Eigen::Vector2d& pixel)
     std::array<int, kColors> row{};
     int* sums = &sums_[stride * static_cast<std::size_t>(y + 1)];
     for (int x = 0; x < size_.width; ++x) {
-      ++row[palette_.labels().at<std::uint8_t>(y, x)];
+      ++row[palette_.colorIndices().at<std::uint8_t>(y, x)];
       sums += kColors;
       std::transform(row.begin(), row.end(), integralAt(x + 1, y), sums, std::plus<>());
     }
@@ -54,7 +54,7 @@ void BoxContrast::add(double left, double top, double right, double bottom, Colo
   for (std::size_t k = 0; k < ColorPalette::kColorCount; ++k) {
     colors.counts[k] += corners[3][k] - corners[2][k] - corners[1][k] + corners[0][k];
   }
-  colors.pixels += double(to - from) * (below - above);
+  colors.pixelCount += double(to - from) * (below - above);
 }
 
 BoxContrast::Colors BoxContrast::colorsInOval(const ImageBox& box) const {
@@ -72,13 +72,13 @@ BoxContrast::Colors BoxContrast::colorsInOval(const ImageBox& box) const {
   return colors;
 }
 
-double BoxContrast::at(const ImageBox& box) const {
+double BoxContrast::contrastOf(const ImageBox& box) const {
   const Colors figure = colorsInOval(box);
   Colors ring = colorsInOval(
       ImageBox::around(box.center(), kFigureRing * box.width, kFigureRing * box.height));
-  ring.pixels -= figure.pixels;
-  if (figure.pixels < kFewestPixels || ring.pixels < kLeastRing * figure.pixels ||
-      known_.pixels <= 0.0) {
+  ring.pixelCount -= figure.pixelCount;
+  if (figure.pixelCount < kFewestPixels || ring.pixelCount < kLeastRing * figure.pixelCount ||
+      known_.pixelCount <= 0.0) {
     return 0.0;
   }
   for (std::size_t k = 0; k < ColorPalette::kColorCount; ++k) {
@@ -89,11 +89,11 @@ double BoxContrast::at(const ImageBox& box) const {
   double difference = 0.0;
   double differenceAtKnown = 0.0;
   for (std::size_t k = 0; k < ColorPalette::kColorCount; ++k) {
-    const double f = inside[k] / figure.pixels;
-    const double b = around[k] / ring.pixels;
+    const double f = inside[k] / figure.pixelCount;
+    const double b = around[k] / ring.pixelCount;
     const double evidence = f + b > 0.0 ? (f - b) / (f + b) : 0.0;
-    difference += evidence * figure.counts[k] / figure.pixels;
-    differenceAtKnown += evidence * known_.counts[k] / known_.pixels;
+    difference += evidence * figure.counts[k] / figure.pixelCount;
+    differenceAtKnown += evidence * known_.counts[k] / known_.pixelCount;
   }
   return std::max(0.0, difference) * std::max(0.0, differenceAtKnown);
 }

@@ -22,13 +22,13 @@ public:
   /// b): the mean over the pixels in the oval, and the mean at the pixel passed to the constructor.
   /// The contrast is 0 if the color at that pixel is more typical of the ring, or if no part of the
   /// ring is in the image.
-  double at(const ImageBox& box) const;
+  double contrastOf(const ImageBox& box) const;
 
 private:
   using Shares = ColorPalette::Shares;
   struct Colors {
     Shares counts{};
-    double pixels = 0.0;
+    double pixelCount = 0.0;
   };
   /// Adds the colors of the pixels in a rectangle, which is rounded to whole pixels, to `colors`.
   void add(double left, double top, double right, double bottom, Colors& colors) const;

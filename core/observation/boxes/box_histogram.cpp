@@ -22,9 +22,9 @@ std::vector<double> boxHistogram(const cv::Mat& bgr, const ImageBox& box) {
     return {};
   }
   // Only the pixels of the box: the bins of a whole image would take longer than all else.
-  const cv::Rect part(placement.left + placement.firstColumn, placement.top + placement.firstRow,
-                      placement.endColumn - placement.firstColumn,
-                      placement.endRow - placement.firstRow);
+  const cv::Rect part(
+      placement.imageLeft + placement.firstColumn, placement.imageTop + placement.firstRow,
+      placement.endColumn - placement.firstColumn, placement.endRow - placement.firstRow);
   const cv::Mat pixels = bgr(part);
   std::vector<double> histogram(kRgbBinCount, 0.0);
   double sum = 0.0;

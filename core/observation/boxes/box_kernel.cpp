@@ -47,12 +47,12 @@ KernelPlacement placeKernel(const BoxKernel& kernel, double x, double y, int col
   const auto whole = [](double value) {
     return static_cast<int>(std::floor(std::clamp(value, -kFar, kFar) + 0.5));
   };
-  placement.left = whole(x - 0.5 * kernel.width());
-  placement.top = whole(y - 0.5 * kernel.height());
-  placement.firstColumn = std::max(0, -placement.left);
-  placement.endColumn = std::min(kernel.width(), columns - placement.left);
-  placement.firstRow = std::max(0, -placement.top);
-  placement.endRow = std::min(kernel.height(), rows - placement.top);
+  placement.imageLeft = whole(x - 0.5 * kernel.width());
+  placement.imageTop = whole(y - 0.5 * kernel.height());
+  placement.firstColumn = std::max(0, -placement.imageLeft);
+  placement.endColumn = std::min(kernel.width(), columns - placement.imageLeft);
+  placement.firstRow = std::max(0, -placement.imageTop);
+  placement.endRow = std::min(kernel.height(), rows - placement.imageTop);
   return placement;
 }
 

@@ -46,8 +46,8 @@ private:
 /// Position of a kernel over an image, and the part of the kernel that lies inside the image.
 /// Pixels.
 struct KernelPlacement {
-  int left = 0;        ///< left edge of the whole kernel, in the image
-  int top = 0;         ///< top edge of the whole kernel, in the image
+  int imageLeft = 0;   ///< left edge of the whole kernel, in the image
+  int imageTop = 0;    ///< top edge of the whole kernel, in the image
   int firstColumn = 0; ///< first kernel column that lies inside the image
   int endColumn = 0;   ///< one past the last kernel column inside the image
   int firstRow = 0;

@@ -65,7 +65,8 @@ public:
         const Eigen::Vector2d off(kStep * i, kStep * j);
         const ImageBox box = ImageBox::around(
             click_ + Eigen::Vector2d(off.x() * width, off.y() * height), width, height);
-        const double score = contrast_.at(box) * std::exp(-0.5 * off.squaredNorm() / (kAim * kAim));
+        const double score =
+            contrast_.contrastOf(box) * std::exp(-0.5 * off.squaredNorm() / (kAim * kAim));
         best = score > best.score ? Candidate{box, score} : best;
       }
     }
@@ -183,7 +184,7 @@ ImageBox largestDistinct(const cv::Mat& bgr, const std::vector<ImageBox>& figure
 
 } // namespace
 
-std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel) {
+std::optional<ImageBox> boxAroundClick(const cv::Mat& bgr, const Eigen::Vector2d& pixel) {
   const std::vector<Candidate> found = bestOfSizes(bgr, pixel);
   const Candidate* chosen = chosenOf(found);
   if (chosen == nullptr) {

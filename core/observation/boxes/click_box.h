@@ -30,6 +30,6 @@ namespace dewpoint::observation {
 /// contain the region are considered; if no such figure is rated well enough, the result is the
 /// region's box. For an object of several colors, the result may be only the part that was clicked.
 /// Returns nothing if no box differs from its surroundings.
-std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel);
+std::optional<ImageBox> boxAroundClick(const cv::Mat& bgr, const Eigen::Vector2d& pixel);
 
 } // namespace dewpoint::observation

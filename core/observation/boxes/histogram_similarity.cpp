@@ -81,9 +81,9 @@ std::vector<double> weightedHistogram(const cv::Mat& bins, int binCount, const B
   std::vector<double> histogram(std::size_t(binCount), 0.0);
   const KernelPlacement placement = placeKernel(kernel, x, y, bins.cols, bins.rows);
   for (int row = placement.firstRow; row < placement.endRow; ++row) {
-    const auto* from = bins.ptr<std::uint16_t>(placement.top + row);
+    const auto* from = bins.ptr<std::uint16_t>(placement.imageTop + row);
     for (int column = placement.firstColumn; column < placement.endColumn; ++column) {
-      histogram[from[placement.left + column]] += kernel.row(row)[column];
+      histogram[from[placement.imageLeft + column]] += kernel.row(row)[column];
     }
   }
   const double sum = std::accumulate(histogram.begin(), histogram.end(), 0.0);
@@ -173,12 +173,12 @@ double HistogramSimilarity::at(double x, double y) const {
     std::fill_n(sums.begin() + std::ptrdiff_t(set * kStride), slotCount, 0U);
   }
   for (int row = placement.firstRow; row < placement.endRow; ++row) {
-    const std::ptrdiff_t imageRow = placement.top + row;
+    const std::ptrdiff_t imageRow = placement.imageTop + row;
     const std::uint16_t* before = before_.data() + imageRow * (columns_ + 1);
-    const std::ptrdiff_t first = before[placement.left + placement.firstColumn];
-    const std::ptrdiff_t end = before[placement.left + placement.endColumn];
+    const std::ptrdiff_t first = before[placement.imageLeft + placement.firstColumn];
+    const std::ptrdiff_t end = before[placement.imageLeft + placement.endColumn];
     addPixels(pixels_.data() + imageRow * columns_ + first, end - first, kernel_.row(row),
-              placement.left, sums.data());
+              placement.imageLeft, sums.data());
   }
   std::array<float, kMostSlots> terms;
   runKernel<SlotKernel>(sums.data(), rootOfSlot_.data(), static_cast<int>(slotCount), terms.data());

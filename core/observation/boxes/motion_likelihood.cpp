@@ -18,7 +18,7 @@ double gaussian(double distance, double sigma) {
 
 } // namespace
 
-void motionLikelihood(const cv::Mat& mask, double sigma, double floor, cv::Mat& likelihood) {
+void computeMotionLikelihood(const cv::Mat& mask, double sigma, double floor, cv::Mat& likelihood) {
   mask.convertTo(likelihood, CV_32FC1, 1.0 / 255.0);
   if (sigma > 0.0) {
     const int size = 2 * static_cast<int>(std::ceil(3.0 * sigma)) + 1;

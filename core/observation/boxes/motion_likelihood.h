@@ -12,7 +12,7 @@ namespace dewpoint::observation {
 /// CV_32FC1 (Mohedano et al. 2009, equation 8). g is a Gaussian with a standard deviation of
 /// `sigma` pixels, truncated at three standard deviations. `floor` is p_B. Pixels outside the image
 /// count as not moving.
-void motionLikelihood(const cv::Mat& mask, double sigma, double floor, cv::Mat& likelihood);
+void computeMotionLikelihood(const cv::Mat& mask, double sigma, double floor, cv::Mat& likelihood);
 
 /// Color likelihood of a pixel for a person with a given hue and saturation (Mohedano et al. 2009,
 /// equations 10 to 13).

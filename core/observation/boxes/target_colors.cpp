@@ -30,10 +30,10 @@ constexpr double kAnchor = 0.5;
 } // namespace
 
 ImageBox TargetColors::partOf(const ImageBox& box, int part) {
-  const double width = box.width / kColumns;
-  const double height = box.height / kRows;
-  const int column = part % kColumns;
-  const int row = part / kColumns;
+  const double width = box.width / kColumnCount;
+  const double height = box.height / kRowCount;
+  const int column = part % kColumnCount;
+  const int row = part / kColumnCount;
   return {box.x + column * width, box.y + row * height, width, height};
 }
 
@@ -84,7 +84,7 @@ void TargetColors::adaptSurroundings(const cv::Mat& bgr, const ImageBox& box, do
   }
 }
 
-BinShares TargetColors::shares(int part) const {
+BinShares TargetColors::binShares(int part) const {
   const FineHistogram& reference = parts_[std::size_t(part)];
   BinShares shares(reference.size());
   for (std::size_t bin = 0; bin < reference.size(); ++bin) {

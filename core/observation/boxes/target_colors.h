@@ -19,9 +19,9 @@ using BinShares = std::vector<std::uint16_t>;
 /// adapt only halfway, because the first image always keeps half of the weight.
 class TargetColors {
 public:
-  static constexpr int kColumns = 2;
-  static constexpr int kRows = 3;
-  static constexpr int kPartCount = kColumns * kRows;
+  static constexpr int kColumnCount = 2;
+  static constexpr int kRowCount = 3;
+  static constexpr int kPartCount = kColumnCount * kRowCount;
   static constexpr std::uint16_t kFixedPointOne = 256;
 
   /// Discards everything and learns the colors of a box, whose center must be in the image.
@@ -37,7 +37,7 @@ public:
   /// Returns max(0, 2 P(target | color) - 1) per color bin for a part. Parts are numbered row by
   /// row from the upper left. P is q² / (q² + b²), where q is the histogram of the part and b is
   /// the histogram of the surroundings.
-  BinShares shares(int part) const;
+  BinShares binShares(int part) const;
 
   /// Returns the similarity between a box and the target as first learned, in [0, 1]: the mean of
   /// max(0, 2 P - 1) over the pixels of the box. P is computed with the current surroundings.

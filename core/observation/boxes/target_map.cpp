@@ -12,7 +12,7 @@ void TargetMap::build(const cv::Mat& bgr, const cv::Rect& region, const TargetCo
   const auto columns = std::size_t(region_.width) + 1;
   std::array<BinShares, TargetColors::kPartCount> shares;
   for (std::size_t part = 0; part < shares.size(); ++part) {
-    shares[part] = colors.shares(static_cast<int>(part));
+    shares[part] = colors.binShares(static_cast<int>(part));
     integrals_[part].assign(columns * (std::size_t(region_.height) + 1), 0);
   }
   std::vector<std::uint16_t> bins(columns);

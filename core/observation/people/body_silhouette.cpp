@@ -56,9 +56,9 @@ BodySilhouette SilhouetteProjector::project(const Eigen::Vector2d& position, dou
     const int right = std::max(left + 1, pixelOf(center + half + 0.5));
     const int top = pixelOf(std::min(row[k], row[k + 1]) + 0.5);
     const int bottom = std::max(top + 1, pixelOf(std::max(row[k], row[k + 1]) + 0.5));
-    result.pieces[k] = {left, top, right - left, bottom - top};
+    result.partRects[k] = {left, top, right - left, bottom - top};
   }
-  result.visible = true;
+  result.isVisible = true;
   return result;
 }
 
@@ -67,23 +67,23 @@ void ScoreSums::build(const cv::Mat& bytes) {
 }
 
 double bodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor) {
-  if (!silhouette.visible) {
+  if (!silhouette.isVisible) {
     return 0.0;
   }
   double sum = 0.0;
-  for (const cv::Rect& piece : silhouette.pieces) {
+  for (const cv::Rect& piece : silhouette.partRects) {
     sum += std::max(floor, score.mean(piece));
   }
   return sum / kBodyPartCount;
 }
 
 double upperBodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor) {
-  if (!silhouette.visible) {
+  if (!silhouette.isVisible) {
     return 0.0;
   }
   double sum = 0.0;
   for (std::size_t k = kBodyPartCount / 2; k < kBodyPartCount; ++k) {
-    sum += std::max(floor, score.mean(silhouette.pieces[k]));
+    sum += std::max(floor, score.mean(silhouette.partRects[k]));
   }
   constexpr auto kLower = kBodyPartCount - kBodyPartCount / 2;
   return sum / kLower;

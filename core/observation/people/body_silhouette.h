@@ -18,12 +18,12 @@ namespace dewpoint::observation {
 inline constexpr int kBodyPartCount = 6;
 
 /// Silhouette of a standing person in a camera: one upright pixel rectangle per piece of the body,
-/// half-open as in OpenCV. Rectangles may lie outside the image. `visible` is false if the camera
+/// half-open as in OpenCV. Rectangles may lie outside the image. `isVisible` is false if the camera
 /// cannot show the person because the person is behind or very near the camera, or beyond the valid
 /// range of its lens.
 struct BodySilhouette {
-  std::array<cv::Rect, kBodyPartCount> pieces;
-  bool visible = false;
+  std::array<cv::Rect, kBodyPartCount> partRects;
+  bool isVisible = false;
 };
 
 /// Returns half the width of a piece of a body with this `height`, meters. From piece 0 on, the
@@ -54,11 +54,13 @@ private:
 /// The score of a pixel is above 0 if the pixel fits a person better than no person, and below 0 if
 /// it fits worse. `sums` is CV_32SC1, with one more row and column than the image.
 struct ScoreSums {
-  static constexpr int kUnit = 40;     ///< change of the byte value for a change of the score by 1
-  static constexpr int kNothing = 100; ///< byte value of a score of 0
+  /// Change of the byte value for a change of the score by 1.
+  static constexpr int kByteChangePerScore = 40;
+  static constexpr int kZeroScoreByte = 100; ///< byte value of a score of 0
   cv::Mat sums;
 
-  /// Builds the sums from scores stored as bytes (CV_8UC1): kNothing + kUnit * score.
+  /// Builds the sums from scores stored as bytes (CV_8UC1): kZeroScoreByte + kByteChangePerScore *
+  /// score.
   void build(const cv::Mat& bytes);
   /// Returns the mean score over a rectangle. Pixels outside the image have a score of 0. The
   /// result for an empty rectangle is 0, never NaN.
@@ -73,8 +75,8 @@ struct ScoreSums {
     const auto* above = sums.ptr<std::int32_t>(top);
     const auto* below = sums.ptr<std::int32_t>(bottom);
     const std::int32_t sum = below[right] - below[left] - above[right] + above[left] -
-                             kNothing * (right - left) * (bottom - top);
-    return static_cast<double>(sum) / (kUnit * static_cast<double>(area.area()));
+                             kZeroScoreByte * (right - left) * (bottom - top);
+    return static_cast<double>(sum) / (kByteChangePerScore * static_cast<double>(area.area()));
   }
 };
 

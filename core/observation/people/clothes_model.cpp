@@ -22,12 +22,12 @@ int cell(int part, int whole, int low, int high) {
 template <class Use>
 void forEachOwnPixel(const cv::Mat& image, const cv::Mat& mask, const BodySilhouette& silhouette,
                      const cv::Mat& covered, const Use& use) {
-  if (!silhouette.visible) {
+  if (!silhouette.isVisible) {
     return;
   }
   const cv::Rect whole(0, 0, mask.cols, mask.rows);
   for (std::size_t k = 0; k < kBodyPartCount; ++k) {
-    const cv::Rect piece = silhouette.pieces[k] & whole;
+    const cv::Rect piece = silhouette.partRects[k] & whole;
     for (int row = piece.y; row < piece.y + piece.height; ++row) {
       for (int column = piece.x; column < piece.x + piece.width; ++column) {
         if (mask.at<std::uint8_t>(row, column) != 0 &&
@@ -82,7 +82,7 @@ void ClothesModel::finishFrame() {
 
 ClothesRatio ClothesModel::logRatioAgainst(const ClothesModel& other) const {
   ClothesRatio ratio{};
-  if (!known() || !other.known()) {
+  if (!isKnown() || !other.isKnown()) {
     return ratio;
   }
   for (std::size_t part = 0; part < 2; ++part) {

@@ -36,7 +36,7 @@ public:
   void finishFrame();
   /// Returns whether enough frames have been learned to compare the colors with those of other
   /// people.
-  bool known() const { return updateCount_ >= kEnoughUpdates; }
+  bool isKnown() const { return updateCount_ >= kEnoughUpdates; }
   /// Returns the log ratio of this person's colors against the colors of another person.
   ClothesRatio logRatioAgainst(const ClothesModel& other) const;
   /// Returns the mean of `ratio` over those pixels of a silhouette that move (nonzero in `mask`)

@@ -18,8 +18,9 @@ namespace dewpoint::observation {
 /// Input from one camera in a frame, for the methods of Mohedano et al. 2009.
 struct PersonCamera {
   const Projector* projector = nullptr;
-  /// Motion likelihood image D, CV_32FC1; see motionLikelihood(). Empty if the camera has no image.
-  cv::Mat likelihood;
+  /// Motion likelihood image D, CV_32FC1; see computeMotionLikelihood(). Empty if the camera has no
+  /// image.
+  cv::Mat motionLikelihood;
   cv::Mat image; ///< CV_8UC3 of the same size; used by the color cue only
 };
 
@@ -38,13 +39,13 @@ public:
 
   /// Adds the log likelihood of each state to `logLikelihood`.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const {
-    constexpr Eigen::Index kBlock = 128;
-    std::array<double, kBlock> column;
-    std::array<double, kBlock> row;
-    for (Eigen::Index begin = 0; begin < rows.rows(); begin += kBlock) {
-      const Eigen::Index count = std::min(kBlock, rows.rows() - begin);
+    constexpr Eigen::Index kBlockSize = 128;
+    std::array<double, kBlockSize> column;
+    std::array<double, kBlockSize> row;
+    for (Eigen::Index begin = 0; begin < rows.rows(); begin += kBlockSize) {
+      const Eigen::Index count = std::min(kBlockSize, rows.rows() - begin);
       for (const PersonCamera& camera : cameras_) {
-        if (camera.likelihood.empty()) {
+        if (camera.motionLikelihood.empty()) {
           continue;
         }
         camera.projector->projectBatch(count, rows.col(0).data() + begin,
@@ -64,10 +65,10 @@ private:
   double logLikelihoodAt(const PersonCamera& camera, double column, double row, double hue,
                          double saturation) const {
     cv::Point pixel;
-    if (!findNearestPixel(column, row, camera.likelihood, pixel)) {
+    if (!findNearestPixel(column, row, camera.motionLikelihood, pixel)) {
       return std::log(floor_) + (color_ ? color_->minLogLikelihoodPerPixel() : 0.0);
     }
-    double sum = std::log(static_cast<double>(camera.likelihood.at<float>(pixel)));
+    double sum = std::log(static_cast<double>(camera.motionLikelihood.at<float>(pixel)));
     if (color_) {
       sum += color_->logLikelihood(camera.image.ptr(pixel.y, pixel.x), hue, saturation);
     }

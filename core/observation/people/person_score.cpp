@@ -10,12 +10,14 @@
 namespace dewpoint::observation {
 
 cv::Mat maskScores(const cv::Mat& mask, const cv::Mat& explained) {
-  constexpr double kMoving = ScoreSums::kNothing + kMovingPixel * ScoreSums::kUnit;
-  constexpr double kStill = ScoreSums::kNothing + kStillPixel * ScoreSums::kUnit;
+  constexpr double kMoving =
+      ScoreSums::kZeroScoreByte + kMovingPixel * ScoreSums::kByteChangePerScore;
+  constexpr double kStill =
+      ScoreSums::kZeroScoreByte + kStillPixel * ScoreSums::kByteChangePerScore;
   cv::Mat scores;
   mask.convertTo(scores, CV_8UC1, (kMoving - kStill) / 255.0, kStill);
   if (!explained.empty()) {
-    scores.setTo(ScoreSums::kNothing, explained);
+    scores.setTo(ScoreSums::kZeroScoreByte, explained);
   }
   return scores;
 }
@@ -23,7 +25,7 @@ cv::Mat maskScores(const cv::Mat& mask, const cv::Mat& explained) {
 void addColorScores(const cv::Mat& image, const cv::Mat& mask, const cv::Rect& area, int waist,
                     const ClothesRatio& ratio, double weight, cv::Mat& scores) {
   const cv::Rect inside = area & cv::Rect(0, 0, mask.cols, mask.rows);
-  const double scale = weight * ScoreSums::kUnit;
+  const double scale = weight * ScoreSums::kByteChangePerScore;
   std::array<std::array<int, kClothesBins>, 2> steps;
   for (std::size_t part = 0; part < 2; ++part) {
     for (std::size_t bin = 0; bin < kClothesBins; ++bin) {

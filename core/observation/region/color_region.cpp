@@ -26,7 +26,7 @@ struct Sums {
   int top = 0;
   int right = -1;
   int bottom = -1;
-  int rim = 0;
+  int rimPixelCount = 0;
   int cut = 0;
   int hidden = 0;
 
@@ -56,7 +56,7 @@ struct Sums {
     result.covariance -= mean * mean.transpose();
     result.covariance.diagonal().array() += kPixelMoment;
     result.box = {corner.x + left, corner.y + top, right - left + 1, bottom - top + 1};
-    result.rim = rim;
+    result.rimPixelCount = rimPixelCount;
     result.cutRimPixelCount = cut;
     result.hiddenRimPixelCount = hidden;
     return result;
@@ -80,7 +80,7 @@ void countRim(const LabelImage& labels, int column, int row, Sums& sums) {
     rim = rim || label != PixelLabel::Target;
     hidden = hidden || label == PixelLabel::Unknown || label == PixelLabel::Explained;
   }
-  sums.rim += rim ? 1 : 0;
+  sums.rimPixelCount += rim ? 1 : 0;
   sums.cut += cut ? 1 : 0;
   sums.hidden += !cut && hidden ? 1 : 0;
 }
@@ -134,7 +134,7 @@ ColorRegion joined(const ColorRegion& one, const ColorRegion& other) {
   result.covariance = (1.0 - share) * one.covariance + share * other.covariance +
                       share * (1.0 - share) * apart * apart.transpose();
   result.box = one.box | other.box;
-  result.rim = one.rim + other.rim;
+  result.rimPixelCount = one.rimPixelCount + other.rimPixelCount;
   result.cutRimPixelCount = one.cutRimPixelCount + other.cutRimPixelCount;
   result.hiddenRimPixelCount = one.hiddenRimPixelCount + other.hiddenRimPixelCount;
   return result;

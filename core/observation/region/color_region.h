@@ -16,14 +16,17 @@ struct ColorRegion {
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< covariance of the pixels, px²
   cv::Rect box;                                         ///< bounding box
-  int rim = 0; ///< number of rim pixels: at least one of the four neighbors has another color
+  /// Number of rim pixels: at least one of the four neighbors has another color.
+  int rimPixelCount = 0;
   int cutRimPixelCount = 0;    ///< number of rim pixels at the image border
   int hiddenRimPixelCount = 0; ///< number of rim pixels next to an object that may hide the target
 
   /// Returns the fraction of the rim, 0 to 1, where the image border or another object may cut off
   /// the region.
   double cutOffShare() const {
-    return rim > 0 ? static_cast<double>(cutRimPixelCount + hiddenRimPixelCount) / rim : 0.0;
+    return rimPixelCount > 0
+               ? static_cast<double>(cutRimPixelCount + hiddenRimPixelCount) / rimPixelCount
+               : 0.0;
   }
 };
 

@@ -66,14 +66,14 @@ jacobian(const EllipsoidProjector& projector, const Ellipsoid& here, const Ellip
 /// standard deviations.
 Eigen::Matrix2d centerNoise(const RegionMeasurement& measurement, const EllipseImage& image,
                             double share) {
-  const double missing = kMissingShare * measurement.missing();
+  const double missing = kMissingShare * measurement.missingShare();
   const Eigen::Matrix2d area = 0.25 * image.extent;
   return kCentroidSigmaPx * kCentroidSigmaPx * Eigen::Matrix2d::Identity() +
          (share * share + missing * missing) * area;
 }
 
 bool isWhole(const RegionMeasurement& measurement) {
-  return measurement.region && measurement.visible >= kWhole &&
+  return measurement.region && measurement.visibleShare >= kWhole &&
          measurement.region->cutOffShare() <= kMostOpen;
 }
 
@@ -122,13 +122,13 @@ bool moveCenter(const RegionObservation& observation, const EllipsoidPrior& prio
   }
   const Eigen::LDLT<Eigen::Matrix3d> solver(fit.information + prior.information);
   const Eigen::Vector3d step = solver.solve(vector);
-  fit.found = fit.seeingCameraCount > 0 && solver.isPositive() && step.allFinite();
-  if (fit.found) {
+  fit.isFound = fit.seeingCameraCount > 0 && solver.isPositive() && step.allFinite();
+  if (fit.isFound) {
     fit.ellipsoid.center += step;
     fit.covariance = (fit.information + prior.information).inverse();
-    fit.found = fit.covariance.allFinite();
+    fit.isFound = fit.covariance.allFinite();
   }
-  return fit.found;
+  return fit.isFound;
 }
 
 void compareViews(const RegionObservation& observation, const EllipsoidPrior& prior,

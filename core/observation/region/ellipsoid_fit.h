@@ -25,7 +25,7 @@ struct EllipsoidPrior {
 /// all cameras. World frame.
 struct EllipsoidFit {
   /// True if at least one camera sees the target; if false, only `views` is valid.
-  bool found = false;
+  bool isFound = false;
   Ellipsoid ellipsoid;
   /// Covariance of the center, m², including the prior.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();

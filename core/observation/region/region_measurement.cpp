@@ -94,7 +94,7 @@ std::optional<ColorRegion> regionAt(LabelImage& labels, const EllipseImage& expe
 
 /// Fills in what is inside the outline and in the ring around it.
 void countPixels(LabelImage& labels, RegionMeasurement& measurement) {
-  const EllipseImage& expected = measurement.expected;
+  const EllipseImage& expected = measurement.expectedOutline;
   const cv::Rect image(cv::Point(0, 0), labels.size());
   const cv::Rect area = boxAround(expected, kRegionRingEnd, Eigen::Matrix2d::Zero()) & image;
   labels.ensureLabels(area);
@@ -127,9 +127,9 @@ void countPixels(LabelImage& labels, RegionMeasurement& measurement) {
     }
   }
   // An outline of few pixels may hold a pixel more than its area.
-  measurement.visible = std::min(1.0, visible / std::max(1.0, expected.area()));
-  measurement.matched = visible > 0.0 ? matched / visible : 0.0;
-  measurement.ring = known > 0.0 ? ring / known : 0.0;
+  measurement.visibleShare = std::min(1.0, visible / std::max(1.0, expected.area()));
+  measurement.matchedShare = visible > 0.0 ? matched / visible : 0.0;
+  measurement.ringMatchShare = known > 0.0 ? ring / known : 0.0;
   measurement.centerFromVisible =
       visible > 0.0 ? Eigen::Vector2d(-sum / visible) : Eigen::Vector2d(0.0, 0.0);
 }
@@ -141,7 +141,7 @@ double excess(const RegionMeasurement& measurement) {
     return 0.0;
   }
   const double seen = 16.0 * measurement.region->covariance.determinant();
-  return 0.25 * std::log(std::max(seen, 1e-12) / measurement.expected.extent.determinant());
+  return 0.25 * std::log(std::max(seen, 1e-12) / measurement.expectedOutline.extent.determinant());
 }
 
 } // namespace
@@ -149,13 +149,13 @@ double excess(const RegionMeasurement& measurement) {
 RegionMeasurement measureRegion(LabelImage& labels, const EllipseImage& expected,
                                 const Eigen::Matrix2d& centerCovariance) {
   RegionMeasurement result;
-  result.expected = expected;
+  result.expectedOutline = expected;
   if (labels.empty()) {
     return result;
   }
-  result.inView = expected.center.x() >= 0.0 && expected.center.y() >= 0.0 &&
-                  expected.center.x() <= labels.size().width - 1 &&
-                  expected.center.y() <= labels.size().height - 1;
+  result.isInView = expected.center.x() >= 0.0 && expected.center.y() >= 0.0 &&
+                    expected.center.x() <= labels.size().width - 1 &&
+                    expected.center.y() <= labels.size().height - 1;
   countPixels(labels, result);
   result.region = regionAt(labels, expected, centerCovariance);
   return result;
@@ -166,11 +166,11 @@ double fullRegionEvidence() {
 }
 
 double regionEvidence(const RegionMeasurement& measurement, double fill) {
-  const double share = std::min(1.0, measurement.expected.area() / kFullRegionArea);
-  const double seen = std::min(1.0, measurement.matched / std::max(fill, 1e-3));
-  const double inside = measurement.visible * (2.0 * seen - 1.0);
-  const double ring =
-      std::max(-kFullRing, (kCleanRing - measurement.ring) / kCleanRing) * measurement.visible;
+  const double share = std::min(1.0, measurement.expectedOutline.area() / kFullRegionArea);
+  const double seen = std::min(1.0, measurement.matchedShare / std::max(fill, 1e-3));
+  const double inside = measurement.visibleShare * (2.0 * seen - 1.0);
+  const double ring = std::max(-kFullRing, (kCleanRing - measurement.ringMatchShare) / kCleanRing) *
+                      measurement.visibleShare;
   const double size = std::clamp(excess(measurement) - kSizeTolerance, 0.0, 1.0) * kLargerShare;
   return share * fullRegionEvidence() * ((1.0 - kRingShare) * inside + kRingShare * ring - size);
 }

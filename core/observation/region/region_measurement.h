@@ -12,16 +12,17 @@ namespace dewpoint::observation {
 
 /// Measurement of a target of any shape in one image, near its expected outline. Pixels.
 struct RegionMeasurement {
-  bool inView = false; ///< the camera has an image that contains the outline's center
+  bool isInView = false; ///< the camera has an image that contains the outline's center
   /// Outline that is expected for the target.
-  EllipseImage expected;
+  EllipseImage expectedOutline;
   std::optional<ColorRegion>
       region; ///< region assigned to the target; empty if the target is not seen
   /// Fraction of the expected outline's area, 0 to 1, in which the target color could be seen:
   /// inside the image, and not behind an object that may hide the target.
-  double visible = 0.0;
-  double matched = 0.0; ///< fraction of the visible part that has the target color, 0 to 1
-  double ring = 0.0;    ///< fraction of a ring around the outline that has the target color, 0 to 1
+  double visibleShare = 0.0;
+  double matchedShare = 0.0; ///< fraction of the visible part that has the target color, 0 to 1
+  /// Fraction of a ring around the outline that has the target color, 0 to 1.
+  double ringMatchShare = 0.0;
   /// Vector from the centroid of the visible part to the outline's center, pixels.
   Eigen::Vector2d centerFromVisible = Eigen::Vector2d::Zero();
 
@@ -30,7 +31,7 @@ struct RegionMeasurement {
   /// empty.
   Eigen::Vector2d center() const { return region->centroid + centerFromVisible; }
   /// Returns the fraction of the target, 0 to 1, that is hidden or outside the image.
-  double missing() const { return 1.0 - visible; }
+  double missingShare() const { return 1.0 - visibleShare; }
 };
 
 /// Measures a target in an image near its expected outline. `centerCovariance` (px²) is the

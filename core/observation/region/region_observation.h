@@ -34,7 +34,7 @@ public:
 
   /// Sets the image of a camera, taken `timeOffset` seconds after the frame's time. The image is
   /// empty if the camera has none. `classifier` tests for the target color in the light of the
-  /// image, `usual` in the reference light (BackgroundModel::light()).
+  /// image, `usual` in the reference light (BackgroundModel::relativeLight()).
   void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
                 const BackgroundModel& background, const ColorClassifier& classifier,
                 const ColorClassifier& usual) {
@@ -43,7 +43,7 @@ public:
     if (image.type() != CV_8UC3 || image.empty()) {
       view.labels.clear();
     } else {
-      view.labels.begin(image, background, classifier, usual);
+      view.labels.setImage(image, background, classifier, usual);
     }
   }
 

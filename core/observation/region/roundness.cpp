@@ -67,7 +67,7 @@ std::optional<double> shapeEvidence(const ColorRegion& region, const EllipseImag
   const Roundness round = roundnessOf(region, ball);
   // What is no ball has regions of all sizes where one of its size was found: that they fit says
   // nothing.
-  const double ofSize = std::max(0.0, logRatio(round.excess, kBallExcess, kOtherExcess));
+  const double ofSize = std::max(0.0, logRatio(round.sizeExcess, kBallExcess, kOtherExcess));
   if (region.cutOffShare() > kMostRoundOpen) {
     return ofSize > 0.0 ? std::optional(ofSize) : std::nullopt;
   }

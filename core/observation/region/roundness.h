@@ -20,7 +20,7 @@ struct Roundness {
   /// of the expected size. The factor is the square root of the area ratio. The value is 0 if the
   /// region is not larger, because a ball that touches another object of its color and size then
   /// explains the whole region.
-  double excess = 0.0;
+  double sizeExcess = 0.0;
 };
 
 /// Returns the roundness of a region relative to `ball`, the outline of a ball at the target's

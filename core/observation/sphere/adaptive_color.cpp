@@ -170,7 +170,7 @@ ColorRanges AdaptiveColor::rangesOf(const PerCamera& camera) {
   std::vector<ColorRange> ranges;
   ranges.reserve(camera.ranges.size());
   for (const FollowedRange& range : camera.ranges) {
-    ranges.push_back(range.inUse());
+    ranges.push_back(range.rangeInUse());
   }
   return ColorRanges(std::move(ranges));
 }
@@ -190,7 +190,7 @@ std::vector<ColorRanges> AdaptiveColor::rangesInUse() const {
   return changed ? ranges : std::vector<ColorRanges>{};
 }
 
-void AdaptiveColor::restoreLearned() {
+void AdaptiveColor::restoreLearnedRanges() {
   cameras_.assign(cameras_.size(), initialState(learned_));
 }
 
@@ -200,7 +200,7 @@ ColorRanges basesOf(const std::vector<FollowedRange>& ranges) {
   std::vector<ColorRange> bases;
   bases.reserve(ranges.size());
   for (const FollowedRange& range : ranges) {
-    bases.push_back(range.base());
+    bases.push_back(range.initialRange());
   }
   return ColorRanges(std::move(bases));
 }
@@ -271,7 +271,7 @@ std::optional<double> AdaptiveColor::step(PerCamera& camera, const TargetImage& 
                                           const Measured& next) {
   std::vector<ColorRange> ranges;
   for (std::size_t k = 0; k < camera.ranges.size(); ++k) {
-    ranges.push_back(next[k] ? camera.ranges[k].at(*next[k]) : camera.ranges[k].inUse());
+    ranges.push_back(next[k] ? camera.ranges[k].at(*next[k]) : camera.ranges[k].rangeInUse());
     if (!FollowedRange::isUsable(ranges.back())) {
       return std::nullopt;
     }

@@ -30,17 +30,20 @@ public:
   AdaptiveColor(const ColorRanges& learned, std::size_t cameras);
 
   /// Returns the classifier for the color as first learned. Label images keep pointers to this
-  /// classifier and to inUse(), so their addresses stay the same when the AdaptiveColor is moved.
-  const ColorClassifier& learned() const { return *learnedClassifier_; }
+  /// classifier and to classifierInUse(), so their addresses stay the same when the AdaptiveColor
+  /// is moved.
+  const ColorClassifier& learnedClassifier() const { return *learnedClassifier_; }
   /// Returns the classifier currently used in one camera.
-  const ColorClassifier& inUse(std::size_t camera) const { return cameras_.at(camera).classifier; }
+  const ColorClassifier& classifierInUse(std::size_t camera) const {
+    return cameras_.at(camera).classifier;
+  }
   ColorRanges rangesInUse(std::size_t camera) const;
   /// Returns the ranges in use, one entry per camera. The list is empty while every camera uses the
   /// ranges as first learned.
   std::vector<ColorRanges> rangesInUse() const;
 
   /// Restores the learned ranges in all cameras.
-  void restoreLearned();
+  void restoreLearnedRanges();
   /// Restores the ranges for the initial light in each camera. Undoes all calls of adapt(), but no
   /// calls of extendToLight().
   void undoAdaptation();

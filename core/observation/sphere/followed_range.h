@@ -22,8 +22,8 @@ public:
   /// Starts with `base`, the range in the initial light.
   explicit FollowedRange(const ColorRange& base) : base_(base), inUse_(base) {}
 
-  const ColorRange& base() const { return base_; }
-  const ColorRange& inUse() const { return inUse_; }
+  const ColorRange& initialRange() const { return base_; }
+  const ColorRange& rangeInUse() const { return inUse_; }
   /// Returns the range in use with all bounds moved outward. Colors inside this wider range are
   /// considered approximately the target color.
   ColorRange widened() const;

@@ -195,7 +195,7 @@ void compareCameras(const std::vector<CameraEquations>& cameras, const Vector4& 
                     OutlineFit& fit) {
   int seeing = 0;
   double sum = 0.0;
-  fit.pulls.assign(cameras.size(), {});
+  fit.cameraInformation.assign(cameras.size(), {});
   for (std::size_t k = 0; k < cameras.size(); ++k) {
     const CameraEquations& camera = cameras[k];
     if (camera.edges < kFewestEdges) {
@@ -205,7 +205,7 @@ void compareCameras(const std::vector<CameraEquations>& cameras, const Vector4& 
     fit.sizeDeviation += camera.sizeDeviation;
     const Eigen::Vector3d left = (camera.vector - camera.matrix * step).head<3>();
     Eigen::Matrix3d own = camera.matrix.topLeftCorner<3, 3>();
-    fit.pulls[k] = {own, left};
+    fit.cameraInformation[k] = {own, left};
     own.diagonal().array() += kLeastOwnShare * own.trace();
     sum += left.dot(own.inverse() * left);
   }
@@ -234,7 +234,7 @@ OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior&
     const double logRadius = std::log(fit.radius / prior.radius);
     total(3, 3) = 1.0 / std::max(prior.logRadiusVariance, 1e-12);
     vector[3] = -logRadius * total(3, 3);
-    fit.edges.assign(views.size(), 0);
+    fit.edgeCounts.assign(views.size(), 0);
     int most = 0;
     for (std::size_t k = 0; k < views.size(); ++k) {
       if (views[k].labels == nullptr || views[k].labels->empty()) {
@@ -244,17 +244,17 @@ OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior&
       const CameraEquations& equations = cameras[k];
       total += equations.matrix;
       vector += equations.vector;
-      fit.edges[k] = equations.edges;
+      fit.edgeCounts[k] = equations.edges;
       most = std::max(most, equations.edges);
     }
     const Eigen::LDLT<Matrix4> solver(total);
-    fit.found = most >= kFewestEdges && solver.info() == Eigen::Success && solver.isPositive();
-    if (!fit.found) {
+    fit.isFound = most >= kFewestEdges && solver.info() == Eigen::Success && solver.isPositive();
+    if (!fit.isFound) {
       return fit;
     }
     step = solver.solve(vector);
     if (!step.allFinite()) {
-      fit.found = false;
+      fit.isFound = false;
       return fit;
     }
     // A step of more than two radii leaves the region where the edges mean anything.
@@ -275,7 +275,7 @@ OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior&
   const Matrix4 covariance = total.inverse();
   fit.covariance = covariance.topLeftCorner<3, 3>();
   fit.logRadiusVariance = prior.logRadiusVariance > 0.0 ? covariance(3, 3) : 0.0;
-  fit.found = covariance.allFinite();
+  fit.isFound = covariance.allFinite();
   compareCameras(cameras, step, fit);
   return fit;
 }

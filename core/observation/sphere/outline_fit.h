@@ -39,8 +39,9 @@ struct OutlineFit {
   double radius = 0.0;                                  ///< meters
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< covariance of the center, m²
   double logRadiusVariance = 0.0;                       ///< variance of log(radius)
-  std::vector<int> edges; ///< number of spokes on which the outline was found, per camera
-  bool found = false; ///< true if enough of the outline was seen; if false, no other field is valid
+  std::vector<int> edgeCounts; ///< number of spokes on which the outline was found, per camera
+  /// True if enough of the outline was seen; if false, no other field is valid.
+  bool isFound = false;
   /// Disagreement between the cameras. For each camera, the position is also computed from this
   /// camera alone. The disagreement is the sum of the squared Mahalanobis distances of these
   /// positions from `center`. The disagreement is `degreesOfFreedom` on average if the edge errors
@@ -52,7 +53,7 @@ struct OutlineFit {
   /// squared and divided by its variance, summed over the cameras.
   double sizeDeviation = 0.0;
   /// Information from each camera alone, one entry per camera.
-  std::vector<CameraInformation> pulls;
+  std::vector<CameraInformation> cameraInformation;
 };
 
 /// Prior knowledge about the sphere, for the fit. World frame.
@@ -76,7 +77,7 @@ enum class EdgeSearchRange {
 /// where the outline is hidden, or where it touches another object of the same color, get no weight
 /// and do not bias the fit. Anti-aliasing and shading shift all edges in a camera by an unknown
 /// common amount. This shift is also estimated, so the size of the outline determines the depth
-/// only weakly. `found` is false in the result if too little of the outline was seen.
+/// only weakly. `isFound` is false in the result if too little of the outline was seen.
 OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior& prior,
                       EdgeSearchRange reach = EdgeSearchRange::Far);
 

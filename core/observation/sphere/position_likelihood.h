@@ -15,20 +15,20 @@ namespace dewpoint::observation {
 /// exp(-200) at a distance of 2 m with a sigma of 0.1 m. Without a measurement, every position is
 /// equally likely.
 struct PositionLikelihood {
-  std::optional<Eigen::Vector3d> measured;
+  std::optional<Eigen::Vector3d> measuredPosition;
   /// Standard deviation of the Gaussian along each axis, meters.
   double sigma = 0.1;
 
   /// Adds the log likelihood of each state, except for a constant term, to `logLikelihood`.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const {
-    if (!measured) {
+    if (!measuredPosition) {
       return;
     }
     const double factor = -0.5 / (sigma * sigma);
     for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-      const double x = rows(i, 0) - measured->x();
-      const double y = rows(i, 1) - measured->y();
-      const double z = rows(i, 2) - measured->z();
+      const double x = rows(i, 0) - measuredPosition->x();
+      const double y = rows(i, 1) - measuredPosition->y();
+      const double z = rows(i, 2) - measuredPosition->z();
       logLikelihood[i] += factor * (x * x + y * y + z * z);
     }
   }

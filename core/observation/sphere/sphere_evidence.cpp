@@ -81,7 +81,7 @@ class Sampler {
 public:
   Sampler(const LabelImage& labels, const SphereImage& outline)
       : labels_(labels), outline_(outline) {
-    const cv::Rect area = areaOf(outline, SphereEvidence::kReach);
+    const cv::Rect area = areaOf(outline, SphereEvidence::kSampleReach);
     inside_ = (area & labels.labeledArea()) == area;
     data_ = labels.labels().ptr<std::uint8_t>();
     stride_ = static_cast<std::ptrdiff_t>(labels.labels().step[0]);

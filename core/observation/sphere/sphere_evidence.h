@@ -20,7 +20,7 @@ class SphereEvidence {
 public:
   /// Distance of the outermost color samples from the center of the outline, in radii of the
   /// outline.
-  static constexpr double kReach = 1.3;
+  static constexpr double kSampleReach = 1.3;
   /// Factor by which the radius of an outline is enlarged to include the blurred rim. Chosen by
   /// judgment (docs/method-dewpoint.md, section 2).
   static constexpr double kOutlineMargin = 1.05;

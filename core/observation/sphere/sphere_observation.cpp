@@ -40,7 +40,7 @@ void SphereObservation::setImage(std::size_t camera, const cv::Mat& image, doubl
   if (image.type() != CV_8UC3 || image.empty()) {
     view.labels.clear();
   } else {
-    view.labels.begin(image, background, classifier, usual);
+    view.labels.setImage(image, background, classifier, usual);
   }
 }
 
@@ -83,7 +83,7 @@ Eigen::ArrayXd SphereObservation::logLikelihoods(ConstStateRows rows, ThreadTeam
     cv::Rect all;
     for (const SphereImage& outline : view.outlines) {
       if (outline.radius > 0.0) {
-        all |= areaOf(outline, SphereEvidence::kReach) & whole;
+        all |= areaOf(outline, SphereEvidence::kSampleReach) & whole;
       }
     }
     view.labels.ensureLabels(all);
@@ -105,7 +105,7 @@ double SphereObservation::logLikelihoodRatio(const Eigen::Vector3d& center,
   for (View& view : views_) {
     const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
     if (!view.labels.empty() && outline && outline->radius < kLargestRadiusPx) {
-      view.labels.ensureLabels(areaOf(*outline, SphereEvidence::kReach));
+      view.labels.ensureLabels(areaOf(*outline, SphereEvidence::kSampleReach));
       sum += SphereEvidence::logLikelihoodRatio(view.labels, *outline);
     }
   }
@@ -152,7 +152,7 @@ bool SphereObservation::isRimVisible(const Eigen::Vector3d& center,
         !isInImage(*outline, view.labels.size())) {
       return false;
     }
-    view.labels.ensureLabels(areaOf(*outline, SphereEvidence::kReach));
+    view.labels.ensureLabels(areaOf(*outline, SphereEvidence::kSampleReach));
     return SphereEvidence::rimShare(view.labels, *outline) >= kRimShare;
   });
 }
@@ -174,19 +174,19 @@ std::vector<CameraEvidence> SphereObservation::evidence(const Eigen::Vector3d& c
     View& view = views_[k];
     const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
     if (!view.labels.empty() && outline && outline->radius < kLargestRadiusPx) {
-      view.labels.ensureLabels(areaOf(*outline, SphereEvidence::kReach));
-      cameras[k].inView = isInImage(*outline, view.labels.size());
+      view.labels.ensureLabels(areaOf(*outline, SphereEvidence::kSampleReach));
+      cameras[k].isInView = isInImage(*outline, view.labels.size());
       cameras[k].logLikelihood = SphereEvidence::logLikelihoodRatio(view.labels, *outline);
       cameras[k].existenceProbability = probabilityFromLogOdds(cameras[k].logLikelihood);
-      cameras[k].visible = SphereEvidence::matchShare(view.labels, *outline);
+      cameras[k].visibleShare = SphereEvidence::matchShare(view.labels, *outline);
     }
   }
   return cameras;
 }
 
-int SphereObservation::camerasSeeing(const std::vector<CameraEvidence>& cameras) {
+int SphereObservation::countSeeingCameras(const std::vector<CameraEvidence>& cameras) {
   return static_cast<int>(std::count_if(cameras.begin(), cameras.end(), [](const auto& camera) {
-    return camera.visible >= kSeenShare;
+    return camera.visibleShare >= kSeenShare;
   }));
 }
 

@@ -44,7 +44,7 @@ public:
   /// Sets the current image of a camera, taken `timeOffset` seconds after the frame's time. The
   /// image, background and classifiers must stay valid until the next call for this camera.
   /// `classifier` tests for the target color in the light of the image, `usual` in the reference
-  /// light (BackgroundModel::light()). If the image is empty, the camera is not used.
+  /// light (BackgroundModel::relativeLight()). If the image is empty, the camera is not used.
   void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
                 const BackgroundModel& background, const ColorClassifier& classifier,
                 const ColorClassifier& usual);
@@ -93,9 +93,9 @@ public:
                                        const Eigen::Vector3d& velocity);
   /// Returns the number of cameras in which at least the fraction kSeenShare of the sphere's
   /// outline has the target color.
-  static int camerasSeeing(const std::vector<CameraEvidence>& cameras);
-  int camerasSeeing(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) {
-    return camerasSeeing(evidence(center, velocity));
+  static int countSeeingCameras(const std::vector<CameraEvidence>& cameras);
+  int countSeeingCameras(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) {
+    return countSeeingCameras(evidence(center, velocity));
   }
   /// Fits the outline (fitOutline()) in all cameras that have an image.
   OutlineFit fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity,

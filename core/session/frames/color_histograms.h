@@ -24,8 +24,8 @@ struct ColorHistograms {
 /// One color bin of both histograms, for display.
 struct ColorBar {
   std::array<std::uint8_t, 3> rgb{}; ///< color at the center of the bin
-  double reference = 0.0;
-  double candidate = 0.0;
+  double referenceShare = 0.0;
+  double candidateShare = 0.0;
 };
 
 /// Returns the bins with the largest fractions in either histogram, ordered by bin number. Returns

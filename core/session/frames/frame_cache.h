@@ -23,10 +23,10 @@ public:
   /// Null if there are none.
   virtual FrameSetPtr previewAt(std::int64_t frame, bool& exact) = 0;
   /// Returns the oldest frame available from at().
-  virtual std::int64_t oldest() const = 0;
+  virtual std::int64_t oldestFrame() const = 0;
   /// Returns the newest frame available from at().
-  virtual std::int64_t newest() const = 0;
-  virtual std::size_t bytes() const = 0;
+  virtual std::int64_t newestFrame() const = 0;
+  virtual std::size_t memoryBytes() const = 0;
   /// Removes all frames, for a restart of the run.
   virtual void clear() = 0;
 };

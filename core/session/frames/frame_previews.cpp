@@ -45,7 +45,7 @@ void FramePreviews::add(const FrameSet& frames) {
   }
   bytes_ += entry.bytes;
   entries_.emplace(frames.index, std::move(entry));
-  while (bytes_ > most_ && !entries_.empty()) {
+  while (bytes_ > maxBytes_ && !entries_.empty()) {
     thin();
   }
 }

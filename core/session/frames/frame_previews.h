@@ -15,15 +15,15 @@ namespace dewpoint::session {
 /// nearest earlier preview is then shown instead of a removed one.
 class FramePreviews {
 public:
-  explicit FramePreviews(std::size_t maxBytes) : most_(maxBytes) {}
+  explicit FramePreviews(std::size_t maxBytes) : maxBytes_(maxBytes) {}
 
   /// Adds previews of the images of a frame.
   void add(const FrameSet& frames);
   /// Returns previews scaled up to the size of the frame's images; null if there is no preview at
   /// or shortly before this frame.
   FrameSetPtr at(std::int64_t frame) const;
-  std::size_t bytes() const { return bytes_; }
-  std::size_t most() const { return most_; }
+  std::size_t memoryBytes() const { return bytes_; }
+  std::size_t maxBytes() const { return maxBytes_; }
 
 private:
   struct Thumbnail {
@@ -38,7 +38,7 @@ private:
   };
   void thin();
 
-  std::size_t most_;
+  std::size_t maxBytes_;
   std::size_t bytes_ = 0;
   std::int64_t spacing_ = 1; ///< interval between stored frames, in frames
   std::map<std::int64_t, Entry> entries_;

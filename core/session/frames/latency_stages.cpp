@@ -25,18 +25,18 @@ void LatencyStages::addFrames(const FrameSet& frames, Clock::time_point taken,
                               Clock::time_point estimated) {
   bool isLive = false;
   for (const FramePtr& frame : frames.frames) {
-    if (!frame || frame->instants.decoded == Clock::time_point{}) {
+    if (!frame || frame->instants.decodedAt == Clock::time_point{}) {
       continue;
     }
     isLive = true;
     const LiveInstants& passed = frame->instants;
     const bool isKnown = frame->origin != TimeOrigin::Arrival;
     if (isKnown) {
-      capture_.add(secondsBetween(passed.captured, passed.arrived));
+      capture_.add(secondsBetween(passed.capturedAt, passed.arrivedAt));
     }
-    decode_.add(secondsBetween(passed.arrived, passed.decoded));
-    wait_.add(secondsBetween(passed.decoded, taken));
-    total_.add(secondsBetween(isKnown ? passed.captured : passed.arrived, estimated));
+    decode_.add(secondsBetween(passed.arrivedAt, passed.decodedAt));
+    wait_.add(secondsBetween(passed.decodedAt, taken));
+    total_.add(secondsBetween(isKnown ? passed.capturedAt : passed.arrivedAt, estimated));
     ++images_[static_cast<std::size_t>(frame->origin)];
   }
   if (isLive) {
@@ -46,7 +46,7 @@ void LatencyStages::addFrames(const FrameSet& frames, Clock::time_point taken,
 
 LiveLatency LatencyStages::summary() const {
   LiveLatency summary;
-  summary.images = images_;
+  summary.imageCounts = images_;
   if (std::accumulate(images_.begin(), images_.end(), std::int64_t{0}) > 0) {
     summary.capture = latencyOf(capture_);
     summary.decode = latencyOf(decode_);

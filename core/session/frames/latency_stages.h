@@ -37,7 +37,7 @@ struct LiveLatency {
   /// Number of images for each origin of the capture time, indexed by TimeOrigin. An image whose
   /// capture time is unknown counts under TimeOrigin::Arrival. Such images do not contribute to
   /// `capture`, and their share of `total` is measured from the arrival.
-  std::array<std::int64_t, kTimeOriginCount> images{};
+  std::array<std::int64_t, kTimeOriginCount> imageCounts{};
 };
 
 /// Collects the durations from which LiveLatency, the latency of live images, is computed.

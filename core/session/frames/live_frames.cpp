@@ -110,15 +110,15 @@ public:
     return at(frame).value_or(FrameSetPtr());
   }
 
-  std::int64_t oldest() const override {
+  std::int64_t oldestFrame() const override {
     const std::lock_guard lock(mutex_);
     return kept_.empty() ? 0 : kept_.front().index;
   }
-  std::int64_t newest() const override {
+  std::int64_t newestFrame() const override {
     const std::lock_guard lock(mutex_);
     return kept_.empty() ? -1 : kept_.back().index;
   }
-  std::size_t bytes() const override {
+  std::size_t memoryBytes() const override {
     const std::lock_guard lock(mutex_);
     return bytes_;
   }

@@ -14,7 +14,7 @@ struct LiveFrameRecord {
   struct Image {
     /// Number that identifies the image within the connection of its camera; -1 if there is no such
     /// number.
-    std::int64_t stamp = -1;
+    std::int64_t imageNumber = -1;
     /// Capture time of the image by the camera's own clock.
     TimeStamp captureTime{};
   };

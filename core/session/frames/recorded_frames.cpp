@@ -30,7 +30,7 @@ public:
       order_.push_front(frames);
       found_[frames->index] = order_.begin();
       bytes_ += bytesOf(*frames);
-      while (bytes_ > most_ - previews_.most() && order_.size() > 1) {
+      while (bytes_ > most_ - previews_.maxBytes() && order_.size() > 1) {
         bytes_ -= bytesOf(*order_.back());
         found_.erase(order_.back()->index);
         order_.pop_back();
@@ -44,7 +44,7 @@ public:
       order_.splice(order_.begin(), order_, known->second);
       return order_.front();
     }
-    if (frame < 0 || frame > newest()) {
+    if (frame < 0 || frame > newestFrame()) {
       return FrameSetPtr();
     }
     const bool backwards = frame < last && last - frame <= kStepBack;
@@ -69,9 +69,9 @@ public:
     return exact ? *found_.at(frame) : previews_.at(frame);
   }
 
-  std::int64_t oldest() const override { return 0; }
-  std::int64_t newest() const override { return source_.frameCount().value_or(0) - 1; }
-  std::size_t bytes() const override { return bytes_ + previews_.bytes(); }
+  std::int64_t oldestFrame() const override { return 0; }
+  std::int64_t newestFrame() const override { return source_.frameCount().value_or(0) - 1; }
+  std::size_t memoryBytes() const override { return bytes_ + previews_.memoryBytes(); }
   void clear() override {} // what was decoded stays what it is
 
 private:

@@ -6,7 +6,7 @@
 
 namespace dewpoint::session {
 
-std::size_t TrackedFrame::bytes() const {
+std::size_t TrackedFrame::memoryBytes() const {
   std::size_t sum = sizeof(TrackedFrame) + targets.capacity() * sizeof(TrackedTarget);
   for (const TrackedTarget& target : targets) {
     sum +=

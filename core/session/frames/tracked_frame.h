@@ -50,9 +50,9 @@ struct TrackedTarget {
 /// Results of one tracked frame, without its images.
 struct TrackedFrame {
   std::int64_t frame = 0;
-  double time = 0.0;                ///< time of the frame, seconds
-  int iterations = 0;               ///< number of iterations on this frame
-  std::int64_t totalIterations = 0; ///< number of iterations since the start or restart
+  double time = 0.0;                    ///< time of the frame, seconds
+  int iterationCount = 0;               ///< number of iterations on this frame
+  std::int64_t totalIterationCount = 0; ///< number of iterations since the start or restart
   std::shared_ptr<const std::vector<Target>>
       targetDefinitions; ///< the targets as defined by the user
   std::vector<TrackedTarget>
@@ -60,7 +60,7 @@ struct TrackedFrame {
   /// State of each camera, only for methods that track people; empty for other methods.
   std::vector<PeopleCameraState> peopleCameras;
 
-  std::size_t bytes() const;
+  std::size_t memoryBytes() const;
 };
 
 /// Data about one tracked frame that the timeline shows.

@@ -48,8 +48,9 @@ void takeSince(const std::vector<Sample>& all, std::size_t& position, LogUpdate<
 } // namespace
 
 RunLog::RunLog()
-    : records_(kMaxRecords, [](const IterationRecord& record) { return record.iteration; }),
-      frames_(kMaxFrames, [](const FrameRecord& record) { return record.frame; }),
+    : records_(kMaxIterationRecords,
+               [](const IterationRecord& record) { return record.iteration; }),
+      frames_(kMaxFrameRecords, [](const FrameRecord& record) { return record.frame; }),
       people_(kMaxPeopleFrames, [](const PeopleFramePtr& people) { return people->frame; }) {}
 
 void RunLog::restart(const Project& project, int threads) {
@@ -63,15 +64,15 @@ void RunLog::restart(const Project& project, int threads) {
   liveFrameRecords_.clear();
   project_ = project;
   statistics_ = RunStatistics{};
-  statistics_.threads = threads;
+  statistics_.threadCount = threads;
 }
 
-void RunLog::setThreads(int threads) {
+void RunLog::setThreadCount(int threads) {
   const std::lock_guard lock(mutex_);
-  statistics_.threads = threads;
+  statistics_.threadCount = threads;
 }
 
-void RunLog::change(const Project& project) {
+void RunLog::updateProject(const Project& project) {
   const std::lock_guard lock(mutex_);
   rename(project.targets);
   project_ = project;
@@ -79,7 +80,7 @@ void RunLog::change(const Project& project) {
   if (frames_.empty()) {
     trajectory_.header = std::move(header);
   } else {
-    trajectory_.header.hasCorrected = header.hasCorrected;
+    trajectory_.header.hasCorrectedColumn = header.hasCorrectedColumn;
   }
 }
 
@@ -115,27 +116,27 @@ OldResults RunLog::oldResults() const {
 
 void RunLog::countIteration(double seconds) {
   const std::lock_guard lock(mutex_);
-  statistics_.iterations.add(seconds);
+  statistics_.iterationDurations.add(seconds);
 }
 
 void RunLog::countFrame(double sinceArrival, double sinceFirst) {
   const std::lock_guard lock(mutex_);
-  ++statistics_.frames;
-  statistics_.latency.add(sinceArrival);
-  statistics_.seconds = sinceFirst;
+  ++statistics_.frameCount;
+  statistics_.frameDurations.add(sinceArrival);
+  statistics_.durationSeconds = sinceFirst;
 }
 
 void RunLog::countLiveFrame(const FrameSet& frames, LatencyStages::Clock::time_point taken,
                             LatencyStages::Clock::time_point estimated) {
   const std::lock_guard lock(mutex_);
-  statistics_.live.addFrames(frames, taken, estimated);
+  statistics_.liveLatency.addFrames(frames, taken, estimated);
 }
 
 void RunLog::addLiveFrameRecord(const FrameSet& frames) {
   LiveFrameRecord set{frames.index, frames.time, {}};
   for (const FramePtr& frame : frames.frames) {
     set.images.push_back(
-        frame ? std::optional(LiveFrameRecord::Image{frame->instants.stamp, frame->captureTime})
+        frame ? std::optional(LiveFrameRecord::Image{frame->instants.imageId, frame->captureTime})
               : std::nullopt);
   }
   const std::lock_guard lock(mutex_);
@@ -152,12 +153,12 @@ std::vector<LiveFrameRecord> RunLog::liveFrameRecords() const {
 
 void RunLog::addDrawingTime(double seconds) {
   const std::lock_guard lock(mutex_);
-  statistics_.live.addDrawingTime(seconds);
+  statistics_.liveLatency.addDrawingTime(seconds);
 }
 
 void RunLog::setFinished(bool finished) {
   const std::lock_guard lock(mutex_);
-  statistics_.finished = finished;
+  statistics_.isFinished = finished;
 }
 
 void RunLog::setNotices(const std::vector<Error>& notices, double time) {
@@ -184,13 +185,13 @@ void RunLog::append(PeopleFramePtr people) {
   people_.append(std::move(people));
 }
 
-std::vector<PeopleFramePtr> RunLog::people() const {
+std::vector<PeopleFramePtr> RunLog::peopleFrames() const {
   const std::lock_guard lock(mutex_);
   std::size_t first = 0;
   return people_.since(first);
 }
 
-void RunLog::note(std::int64_t frame, const std::string& change) {
+void RunLog::noteSettingsChange(std::int64_t frame, const std::string& change) {
   const std::lock_guard lock(mutex_);
   auto& entries = trajectory_.header.entries;
   const auto isVoid = [frame](const auto& entry) {
@@ -257,7 +258,8 @@ void RunLog::append(const std::vector<BoxSample>& samples) {
   appendFrame(boxes_, samples);
 }
 
-LogUpdate<IterationRecord> RunLog::since(std::uint64_t& generation, std::size_t& position) const {
+LogUpdate<IterationRecord> RunLog::iterationsSince(std::uint64_t& generation,
+                                                   std::size_t& position) const {
   const std::lock_guard lock(mutex_);
   LogUpdate<IterationRecord> piece;
   piece.restarted = resetReaderIfStale(generation_, generation, position);
@@ -308,12 +310,12 @@ Trajectory RunLog::trajectory() const {
 
 Latency RunLog::latency() const {
   const std::lock_guard lock(mutex_);
-  return latencyOf(statistics_.latency);
+  return latencyOf(statistics_.frameDurations);
 }
 
 LiveLatency RunLog::liveLatency() const {
   const std::lock_guard lock(mutex_);
-  return statistics_.live.summary();
+  return statistics_.liveLatency.summary();
 }
 
 std::pair<Project, RunStatistics> RunLog::runReportData() const {

@@ -23,7 +23,7 @@ namespace dewpoint::session {
 class RunLog {
 public:
   /// Maximum number of iteration records in the log, which take about 40 MB with four cameras.
-  static constexpr std::size_t kMaxRecords = 100000;
+  static constexpr std::size_t kMaxIterationRecords = 100000;
   RunLog();
   /// Clears the log. The records appended next are results of `project`, tracked with `threads`
   /// filter threads.
@@ -31,7 +31,7 @@ public:
   /// Replaces the project after its parameters, corrections or names have changed. If no frame is
   /// recorded yet, the header of the trajectory is replaced too. If a target was renamed, its name
   /// in all samples so far is replaced, and readers receive all records again.
-  void change(const Project& project);
+  void updateProject(const Project& project);
   void append(const std::vector<IterationRecord>& records);
   /// Appends the samples of one frame. If this frame is already the last one in the log, its former
   /// samples are replaced.
@@ -63,7 +63,7 @@ public:
   /// of the run, seconds.
   void setNotices(const std::vector<Error>& notices, double time);
   /// Sets the number of filter threads.
-  void setThreads(int threads);
+  void setThreadCount(int threads);
   /// Removes the records of this frame and later ones; readers receive all records again.
   void goBack(std::int64_t frame);
   /// Changes the indices of the targets: the target that had index k gets index numbers[k], or is
@@ -71,13 +71,16 @@ public:
   void changeTargetIndices(const std::vector<int>& numbers, std::size_t count);
   /// Returns the iteration records from `position` on, and moves `position` past them. `generation`
   /// identifies the log that the reader knows. If the log was cleared or went back since then,
-  /// `generation` is updated and all records are returned. The log keeps at most kMaxRecords
-  /// records: when there are more, every second one of the older half is removed.
-  LogUpdate<IterationRecord> since(std::uint64_t& generation, std::size_t& position) const;
-  static constexpr std::size_t kMaxFrames = 50000;
+  /// `generation` is updated and all records are returned. The log keeps at most
+  /// kMaxIterationRecords records: when there are more, every second one of the older half is
+  /// removed.
+  LogUpdate<IterationRecord> iterationsSince(std::uint64_t& generation,
+                                             std::size_t& position) const;
+  static constexpr std::size_t kMaxFrameRecords = 50000;
   /// Returns the records of tracked frames from `position` on, and moves `position` past them.
   /// `generation` identifies the log that the reader knows; if the log was cleared or went back
-  /// since then, all records are returned. The log keeps at most kMaxFrames records of frames.
+  /// since then, all records are returned. The log keeps at most kMaxFrameRecords records of
+  /// frames.
   LogUpdate<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Appends the record of one frame. If this frame is already the last one in the log, its former
   /// record is replaced.
@@ -87,10 +90,10 @@ public:
   /// when there are more, every second one of the older half is removed.
   void append(PeopleFramePtr people);
   static constexpr std::size_t kMaxPeopleFrames = 10000;
-  std::vector<PeopleFramePtr> people() const;
+  std::vector<PeopleFramePtr> peopleFrames() const;
   /// Adds `change` to the header of the trajectory: a description of the settings that have changed
   /// from this frame on. Earlier descriptions for this frame and later ones are removed.
-  void note(std::int64_t frame, const std::string& change);
+  void noteSettingsChange(std::int64_t frame, const std::string& change);
   Trajectory trajectory() const;
   /// Returns the samples added to the trajectory since the last call. `position` is the index of
   /// the first sample in the last frame that the reader knows. This frame is returned again,

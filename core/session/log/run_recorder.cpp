@@ -35,7 +35,7 @@ void RunRecorder::restart() {
   settings_.clear();
 }
 
-void RunRecorder::noteArrival(bool isLive) {
+void RunRecorder::noteFrameTaken(bool isLive) {
   arrival_ = Clock::now();
   isFresh_ = isLive_ = isLive;
   append(frameTimes_, arrival_, kFrameTimesKept);
@@ -49,13 +49,13 @@ void RunRecorder::setCameraProblems(std::vector<Error> problems) {
   }
 }
 
-void RunRecorder::resetArrival() {
+void RunRecorder::resetArrivalTime() {
   arrival_ = Clock::now();
   begun_.reset(); // it was taken long ago
   isFresh_ = false;
 }
 
-void RunRecorder::iterated(const TrackingRun& run, double microseconds) {
+void RunRecorder::onIteration(const TrackingRun& run, double microseconds) {
   append(iterationTimes_, microseconds, kTimesKept);
   log_.countIteration(1e-6 * microseconds);
   countAgainstBudget(run.definition()->parameters,
@@ -64,7 +64,7 @@ void RunRecorder::iterated(const TrackingRun& run, double microseconds) {
   log_.append(records(run));
 }
 
-Status RunRecorder::tracked(const TrackingRun& run) {
+Status RunRecorder::onFrameTracked(const TrackingRun& run) {
   const auto now = Clock::now();
   estimated_ = now;
   firstArrival_ = firstArrival_.value_or(arrival_);
@@ -87,16 +87,16 @@ std::vector<IterationRecord> RunRecorder::records(const TrackingRun& run) const 
       continue;
     }
     IterationRecord record;
-    record.iteration = run.iterations();
+    record.iteration = run.iterationCount();
     record.frame = run.frames()->index;
     record.target = static_cast<int>(k);
     record.effectiveSampleSize = effectiveSampleSizeOf(estimate);
-    record.time = seconds(run.frames()->time);
-    record.microseconds = iterationTimes_.back();
+    record.frameTime = seconds(run.frames()->time);
+    record.durationMicroseconds = iterationTimes_.back();
     record.particleCount = particleCountOf(estimate);
     record.existenceProbability = existenceProbabilityOf(estimate);
-    record.isHeld = isHeld(estimate);
-    record.cameras = cameraEvidenceOf(estimate);
+    record.isConfirmed = isConfirmed(estimate);
+    record.cameraEvidence = cameraEvidenceOf(estimate);
     if (const auto position = positionOf(estimate)) {
       record.spread = spreadOf(position->covariance);
       record.spreadPerAxis = position->covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
@@ -105,12 +105,13 @@ std::vector<IterationRecord> RunRecorder::records(const TrackingRun& run) const 
     const auto describe =
         Overloaded{[&](const SphereEstimate& sphere) {
                      const auto truth = truth_.at(run.targets()[k].name, record.frame);
-                     record.error = truth ? (sphere.mean - *truth).norm() : record.error;
+                     record.distanceToTruth =
+                         truth ? (sphere.mean - *truth).norm() : record.distanceToTruth;
                      record.truth = truth.value_or(record.truth);
                    },
                    [&](const BoxEstimate& box) {
                      record.similarity = box.similarity;
-                     record.spread = box.spread;
+                     record.spread = box.spreadPixels;
                      record.position.head<2>() = box.box.center();
                      record.boxWidth = box.box.width;
                      record.boxHeight = box.box.height;
@@ -131,8 +132,8 @@ void RunRecorder::countAgainstBudget(const ParameterValues& parameters, double m
   if (budget != budget_.budgetMilliseconds) {
     budget_ = {budget, 0, 0};
   }
-  ++budget_.iterations;
-  budget_.lateIterations += milliseconds > budget ? 1 : 0;
+  ++budget_.iterationCount;
+  budget_.lateIterationCount += milliseconds > budget ? 1 : 0;
 }
 
 void RunRecorder::record(const TrackingRun& run, const TrackedFrame& trackedFrame) {

@@ -32,17 +32,17 @@ public:
   void noteInterruption() { frameTimes_.clear(); }
   /// Notes the time at which work on a frame begins (the frame is about to be taken), for the
   /// statistics of the time per frame.
-  void begin() { begun_ = Clock::now(); }
+  void noteWorkBegin() { begun_ = Clock::now(); }
   /// Notes that a frame was taken. `isLive` is true if the frame has just come from live cameras.
-  void noteArrival(bool isLive);
+  void noteFrameTaken(bool isLive);
   /// Sets the current problems of the live cameras, which are recorded with each frame from now on.
   void setCameraProblems(std::vector<Error> problems);
   /// Sets the arrival time of the next tracked frame to now, so that the time for which the run was
   /// paused does not count as latency.
-  void resetArrival();
+  void resetArrivalTime();
 
-  void iterated(const TrackingRun& run, double microseconds) override;
-  Status tracked(const TrackingRun& run) override;
+  void onIteration(const TrackingRun& run, double microseconds) override;
+  Status onFrameTracked(const TrackingRun& run) override;
   /// Records the estimates of the current frame, replacing earlier ones of the same frame.
   void record(const TrackingRun& run, const TrackedFrame& trackedFrame);
 

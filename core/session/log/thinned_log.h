@@ -12,14 +12,14 @@
 
 namespace dewpoint::session {
 
-/// Log that keeps at most `most` records, in order of arrival. Whenever there are more, every
+/// Log that keeps at most `maxRecords` records, in order of arrival. Whenever there are more, every
 /// second group of the older half is removed. A group consists of consecutive records with the same
 /// value of `group(record)`. The newest records are therefore complete, and older ones are
 /// increasingly sparse.
 template <class Record> class ThinnedLog {
 public:
   using GroupOf = std::int64_t (*)(const Record&);
-  ThinnedLog(std::size_t most, GroupOf group) : most_(most), group_(group) {}
+  ThinnedLog(std::size_t maxRecords, GroupOf group) : maxRecords_(maxRecords), group_(group) {}
 
   void clear() {
     entries_.clear();
@@ -27,7 +27,7 @@ public:
   }
   void append(Record record) {
     entries_.push_back({appended_++, std::move(record)});
-    if (entries_.size() > most_) {
+    if (entries_.size() > maxRecords_) {
       thin();
     }
   }
@@ -49,7 +49,7 @@ public:
     std::vector<Record> found;
     auto next = std::lower_bound(
         entries_.begin(), entries_.end(), position,
-        [](const Entry& entry, std::size_t number) { return entry.number < number; });
+        [](const Entry& entry, std::size_t wanted) { return entry.position < wanted; });
     for (; next != entries_.end(); ++next) {
       found.push_back(next->record);
     }
@@ -61,7 +61,7 @@ public:
 
 private:
   struct Entry {
-    std::size_t number; ///< number of records appended before this one
+    std::size_t position; ///< number of records appended before this one
     Record record;
   };
 
@@ -84,7 +84,7 @@ private:
     entries_.erase(kept, half);
   }
 
-  std::size_t most_;
+  std::size_t maxRecords_;
   GroupOf group_;
   std::size_t appended_ = 0;
   std::vector<Entry> entries_;

@@ -32,7 +32,7 @@ Result<std::size_t> savePeople(const PeopleRecord& record, const std::filesystem
     }
     for (const PeopleFrame::Person& person : frame->people) {
       const auto written =
-          writer->writePerson(person.estimate, person.body(), frame->frame, frame->time);
+          writer->writePerson(person.estimate, person.bodyCloud(), frame->frame, frame->time);
       if (!written) {
         return tl::make_unexpected(written.error());
       }

@@ -22,7 +22,7 @@ struct PeopleFrame {
     PersonEstimate estimate;
     Eigen::ArrayXXf points; ///< one row per point: x, y, z in meters
     Eigen::ArrayXf weights; ///< weights of the points, linear
-    BodyCloud body() const { return {points.cast<double>(), weights.cast<double>()}; }
+    BodyCloud bodyCloud() const { return {points.cast<double>(), weights.cast<double>()}; }
   };
   std::int64_t frame = 0;
   double time = 0.0; ///< time of the frame, seconds

@@ -40,7 +40,7 @@ cv::Mat peopleOverlay(const PeopleFinding& people, const FrameSet& frames, const
                       int width) {
   std::vector<ConvexHull> hulls;
   for (const PersonEstimate& person : people.people()) {
-    hulls.push_back(bodyHull(people.body(person.identity)));
+    hulls.push_back(bodyHull(people.bodyOf(person.identity)));
   }
   int height = 1;
   std::vector<cv::Mat> views;

@@ -19,11 +19,11 @@ std::string volumeRow(const PersonEstimate& person, const ConvexHull& hull, std:
   const auto optional = [](bool known, double value) {
     return known ? fmt::format("{}", value) : std::string();
   };
-  const bool colored = person.color.has_value();
+  const bool colored = person.hueAndSaturation.has_value();
   return fmt::format("{},{},{},{},{},{},{},{},{}\n", frame, time, person.identity, hull.volume(),
-                     hull.vertices.size(), person.interacting ? 1 : 0,
-                     optional(colored, colored ? person.color->x() : 0.0),
-                     optional(colored, colored ? person.color->y() : 0.0),
+                     hull.vertices.size(), person.isInteracting ? 1 : 0,
+                     optional(colored, colored ? person.hueAndSaturation->x() : 0.0),
+                     optional(colored, colored ? person.hueAndSaturation->y() : 0.0),
                      optional(person.height > 0.0, person.height));
 }
 
@@ -130,7 +130,7 @@ Status PeopleWriter::writePerson(const PersonEstimate& person, const BodyCloud& 
 
 Status PeopleWriter::write(const PeopleFinding& people, std::int64_t frame, double time) {
   for (const PersonEstimate& person : people.people()) {
-    const auto written = writePerson(person, people.body(person.identity), frame, time);
+    const auto written = writePerson(person, people.bodyOf(person.identity), frame, time);
     if (!written) {
       return written;
     }

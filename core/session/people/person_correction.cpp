@@ -31,7 +31,7 @@ PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFindin
                           const CameraRig& rig, const ParameterValues& parameters,
                           std::vector<Error>& correctionErrors) {
   PeopleChange change;
-  if (correction.position && !correction.present) {
+  if (correction.position && !correction.isPresent) {
     change.removedPersonId = personNear(finding, *correction.position);
   } else if (correction.position &&
              peopleSettings(parameters).area.contains(*correction.position)) {
@@ -43,8 +43,8 @@ PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFindin
   }
   if (correction.click) {
     const auto camera = static_cast<std::size_t>(correction.click->camera);
-    change.newPersonPosition =
-        personAtPixel(finding, rig, parameters, correction.click->camera, correction.click->pixel);
+    change.newPersonPosition = personCenterAtPixel(
+        finding, rig, parameters, correction.click->camera, correction.click->pixel);
     if (!change.newPersonPosition && camera < rig.size()) {
       correctionErrors.push_back({ErrorCode::Undetermined, "", rig[camera].name,
                                   "a person on the tracked floor cannot appear at this pixel"});

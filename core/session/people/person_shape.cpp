@@ -35,7 +35,7 @@ PersonShape personShape(const BodyCloud& body) {
   shape.volume = shape.hull.volume();
   const GroundGrid density = groundDensity(shown);
   for (const double share : kGroundProbabilities) {
-    shape.ground.push_back(levelCurves(density, levelForProbability(density, share)));
+    shape.groundCurves.push_back(levelCurves(density, levelForProbability(density, share)));
   }
   return shape;
 }

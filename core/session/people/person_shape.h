@@ -17,7 +17,7 @@ struct PersonShape {
   /// Level curves of the person's density on the floor. Each entry has the curves around the
   /// smallest area in which the person stands with one of the probabilities kGroundProbabilities,
   /// the smallest area first. An area may have several parts.
-  std::vector<std::vector<LevelCurve>> ground;
+  std::vector<std::vector<LevelCurve>> groundCurves;
 };
 
 /// Probabilities of the floor areas around which level curves are drawn: the person stands inside

@@ -5,17 +5,18 @@ namespace dewpoint::session {
 
 double ChangeRule::expectedSeconds(const OldResults& old) {
   // What comes after an old result was tracked on from it.
-  return old.frames.empty() ? 0.0
-                            : static_cast<double>(old.newestFrame - old.frames.front().first + 1) *
-                                  old.secondsPerFrame;
+  return old.frameRanges.empty()
+             ? 0.0
+             : static_cast<double>(old.newestFrame - old.frameRanges.front().firstFrame + 1) *
+                   old.secondsPerFrame;
 }
 
 ChangeRule::Decision ChangeRule::decideOn(const SessionState& state) {
-  const OldResults& old = state.old;
-  if (state.isLive || old.frames.empty()) {
+  const OldResults& old = state.oldResults;
+  if (state.isLive || old.frameRanges.empty()) {
     return {};
   }
-  const std::int64_t from = old.frames.front().first;
+  const std::int64_t from = old.frameRanges.front().firstFrame;
   if (state.isPlaying && !state.isRerunning) {
     return {Action::Mark, from};
   }

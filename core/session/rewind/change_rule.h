@@ -26,7 +26,7 @@ public:
     bool isPlaying = false;
     bool isRerunning = false;     ///< past frames are being tracked again
     bool settingsChanged = false; ///< settings have changed since the rule was last applied
-    OldResults old;
+    OldResults oldResults;
     double quickRerunLimitSeconds =
         kQuickRerunSeconds; ///< longest duration that counts as quick, seconds
   };
@@ -34,11 +34,11 @@ public:
     Nothing,    ///< leave the results as they are
     Mark,       ///< mark old results without asking, because the run continues
     Offer,      ///< mark old results and offer to track again
-    TrackAgain, ///< track again immediately, starting at `from`
+    TrackAgain, ///< track again immediately, starting at `fromFrame`
   };
   struct Decision {
     Action action = Action::Nothing;
-    std::int64_t from = 0; ///< first frame to track again; used by TrackAgain and Offer
+    std::int64_t fromFrame = 0; ///< first frame to track again; used by TrackAgain and Offer
     bool operator==(const Decision&) const = default;
   };
 

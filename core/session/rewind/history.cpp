@@ -27,12 +27,12 @@ bool isOfCameras(const DefinitionChange& change) {
 } // namespace
 
 Eigen::Vector3d tailPosition(const TrackEstimate& estimate) {
-  const auto position = isHeld(estimate) ? positionOf(estimate) : std::nullopt;
+  const auto position = isConfirmed(estimate) ? positionOf(estimate) : std::nullopt;
   return position ? position->mean
                   : Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-HistoryLimits HistoryLimits::of(std::size_t total, bool live) {
+HistoryLimits HistoryLimits::forTotal(std::size_t total, bool live) {
   const std::size_t frames = live ? total / 4 * 3 : total / 4;
   const std::size_t copies = live ? total / 8 : total / 4;
   return {frames, total - frames - copies, copies};
@@ -51,7 +51,7 @@ void History::clear() {
 
 void History::noteFrameBegin(std::int64_t frame, const TrackingRun& run) {
   if (!methodStart_) {
-    methodStart_ = Checkpoint{frame, {nullptr, run.definition(), run.iterations(), 0}};
+    methodStart_ = Checkpoint{frame, {nullptr, run.definition(), run.iterationCount(), 0}};
   }
   const bool due = checkpoints_.empty() || frame >= checkpoints_.rbegin()->first + spacing_;
   if (!due || checkpoints_.contains(frame)) {
@@ -62,9 +62,9 @@ void History::noteFrameBegin(std::int64_t frame, const TrackingRun& run) {
     return; // a method that cannot be copied
   }
   spacing_ = std::max(spacing_, kFirstSpacing);
-  checkpointBytes_ += checkpoint.state.bytes;
+  checkpointBytes_ += checkpoint.state.memoryBytes;
   checkpoints_.emplace(frame, std::move(checkpoint));
-  while (checkpointBytes_ > limits_.checkpoints && checkpoints_.size() > 2) {
+  while (checkpointBytes_ > limits_.checkpointBytes && checkpoints_.size() > 2) {
     thinCheckpoints();
   }
 }
@@ -76,7 +76,7 @@ void History::thinCheckpoints() {
       ++found;
       continue;
     }
-    checkpointBytes_ -= found->second.state.bytes;
+    checkpointBytes_ -= found->second.state.memoryBytes;
     found = checkpoints_.erase(found);
   }
   spacing_ *= 2;
@@ -97,12 +97,12 @@ void History::recordChange(std::int64_t frame, int iterations, const RunChange& 
 
 void History::record(TrackedFrame trackedFrame) {
   if (!trackedFrames_.empty() && trackedFrames_.back().frame == trackedFrame.frame) {
-    trackedFrameBytes_ -= trackedFrames_.back().bytes();
+    trackedFrameBytes_ -= trackedFrames_.back().memoryBytes();
     trackedFrames_.pop_back();
   }
-  trackedFrameBytes_ += trackedFrame.bytes();
+  trackedFrameBytes_ += trackedFrame.memoryBytes();
   trackedFrames_.push_back(std::move(trackedFrame));
-  if (trackedFrameBytes_ > limits_.trackedFrames) {
+  if (trackedFrameBytes_ > limits_.trackedFrameBytes) {
     thinTrackedFrames();
   }
 }
@@ -117,21 +117,21 @@ void History::thinTrackedFrames() {
     }
   }
   // A run is repeated through its moments: none is given up while there are particles to give up.
-  for (auto trackedFrame = trackedFrames_.begin(); trackedFrameBytes_ > limits_.trackedFrames &&
+  for (auto trackedFrame = trackedFrames_.begin(); trackedFrameBytes_ > limits_.trackedFrameBytes &&
                                                    trackedFrame != std::prev(trackedFrames_.end());
        ++trackedFrame) {
     if (hasParticles(*trackedFrame)) {
       forgetParticles(*trackedFrame);
     }
   }
-  while (trackedFrameBytes_ > limits_.trackedFrames && trackedFrames_.size() > 1) {
-    trackedFrameBytes_ -= trackedFrames_.front().bytes(); // estimates alone fill the memory
+  while (trackedFrameBytes_ > limits_.trackedFrameBytes && trackedFrames_.size() > 1) {
+    trackedFrameBytes_ -= trackedFrames_.front().memoryBytes(); // estimates alone fill the memory
     trackedFrames_.pop_front();
   }
 }
 
 void History::forgetParticles(TrackedFrame& trackedFrame) {
-  trackedFrameBytes_ -= trackedFrame.bytes();
+  trackedFrameBytes_ -= trackedFrame.memoryBytes();
   for (TrackedTarget& target : trackedFrame.targets) {
     target.particles.resize(0, 3);
     target.weights.resize(0);
@@ -139,16 +139,16 @@ void History::forgetParticles(TrackedFrame& trackedFrame) {
     target.boxParticles.centers.resize(0, 2);
     target.boxParticles.weights.resize(0);
   }
-  trackedFrameBytes_ += trackedFrame.bytes();
+  trackedFrameBytes_ += trackedFrame.memoryBytes();
 }
 
 void History::forgetFrom(std::int64_t frame) {
   while (!trackedFrames_.empty() && trackedFrames_.back().frame >= frame) {
-    trackedFrameBytes_ -= trackedFrames_.back().bytes();
+    trackedFrameBytes_ -= trackedFrames_.back().memoryBytes();
     trackedFrames_.pop_back();
   }
   for (auto found = checkpoints_.upper_bound(frame); found != checkpoints_.end();) {
-    checkpointBytes_ -= found->second.state.bytes;
+    checkpointBytes_ -= found->second.state.memoryBytes;
     found = checkpoints_.erase(found);
   }
   changes_.erase(changes_.lower_bound({frame, 0}), changes_.end());
@@ -168,11 +168,11 @@ void History::removeCheckpoints() {
 
 void History::forgetBefore(std::int64_t frame) {
   while (!trackedFrames_.empty() && trackedFrames_.front().frame < frame) {
-    trackedFrameBytes_ -= trackedFrames_.front().bytes();
+    trackedFrameBytes_ -= trackedFrames_.front().memoryBytes();
     trackedFrames_.pop_front();
   }
   while (!checkpoints_.empty() && checkpoints_.begin()->first < frame) {
-    checkpointBytes_ -= checkpoints_.begin()->second.state.bytes;
+    checkpointBytes_ -= checkpoints_.begin()->second.state.memoryBytes;
     checkpoints_.erase(checkpoints_.begin());
   }
   changes_.erase(changes_.begin(), changes_.lower_bound({frame, 0}));

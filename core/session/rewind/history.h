@@ -17,14 +17,14 @@ namespace dewpoint::session {
 /// Memory limits, in bytes, for the parts of a run's history (the data needed to go back to past
 /// frames).
 struct HistoryLimits {
-  std::size_t frames = 0;        ///< memory for images
-  std::size_t trackedFrames = 0; ///< memory for particles and estimates
+  std::size_t imageBytes = 0;        ///< memory for images
+  std::size_t trackedFrameBytes = 0; ///< memory for particles and estimates
   /// Memory for checkpoints: copies of the tracker, from which tracking can continue.
-  std::size_t checkpoints = 0;
+  std::size_t checkpointBytes = 0;
   /// Returns memory limits that sum to `total` bytes. With live cameras, most of the memory is for
   /// images.
-  static HistoryLimits of(std::size_t total, bool live);
-  std::size_t sum() const { return frames + trackedFrames + checkpoints; }
+  static HistoryLimits forTotal(std::size_t total, bool live);
+  std::size_t totalBytes() const { return imageBytes + trackedFrameBytes + checkpointBytes; }
 };
 
 /// Returns the point that an estimate adds to the tail of its target (the drawn recent path): the
@@ -95,7 +95,7 @@ public:
   std::vector<RunChange> changesAt(std::int64_t frame, int iterations) const;
 
   const HistoryLimits& limits() const { return limits_; }
-  std::size_t bytes() const { return trackedFrameBytes_ + checkpointBytes_; }
+  std::size_t memoryBytes() const { return trackedFrameBytes_ + checkpointBytes_; }
 
 private:
   void thinTrackedFrames();

@@ -15,8 +15,8 @@ constexpr int kParticlesKept = 500;
 } // namespace
 
 TimeTravel::TimeTravel(FrameSetSource& source, std::size_t bytes)
-    : live_(source.isLive()), history_(HistoryLimits::of(bytes, live_)) {
-  const std::size_t most = history_.limits().frames;
+    : live_(source.isLive()), history_(HistoryLimits::forTotal(bytes, live_)) {
+  const std::size_t most = history_.limits().imageBytes;
   cache_ = live_ ? makeLiveFrameCache(most) : makeRecordedFrameCache(source, most);
 }
 
@@ -30,7 +30,7 @@ void TimeTravel::clear() {
 void TimeTravel::noteFrameBegin(const FrameSetPtr& frames, const TrackingRun& run) {
   cache_->add(frames);
   if (live_) {
-    history_.forgetBefore(cache_->oldest());
+    history_.forgetBefore(cache_->oldestFrame());
   }
   history_.noteFrameBegin(frames->index, run);
 }
@@ -47,13 +47,14 @@ const TrackedFrame& TimeTravel::record(const TrackingRun& run) {
   return *history_.newest();
 }
 
-std::optional<std::int64_t> TimeTravel::nearest(std::int64_t frame) const {
-  const std::int64_t newest = cache_->newest();
-  return newest < 0 ? std::nullopt : std::optional(std::clamp(frame, cache_->oldest(), newest));
+std::optional<std::int64_t> TimeTravel::nearestFrame(std::int64_t frame) const {
+  const std::int64_t newest = cache_->newestFrame();
+  return newest < 0 ? std::nullopt
+                    : std::optional(std::clamp(frame, cache_->oldestFrame(), newest));
 }
 
 std::optional<std::int64_t> TimeTravel::nextShowable(std::int64_t frame) const {
-  return frame < cache_->newest() ? nearest(frame + 1) : std::nullopt;
+  return frame < cache_->newestFrame() ? nearestFrame(frame + 1) : std::nullopt;
 }
 
 Result<FrameSetPtr> TimeTravel::previewAt(std::int64_t frame, bool& preview) {
@@ -65,10 +66,10 @@ Result<FrameSetPtr> TimeTravel::previewAt(std::int64_t frame, bool& preview) {
 
 HistoryState TimeTravel::state() const {
   HistoryState state;
-  state.firstFrame = cache_->oldest();
-  state.lastFrame = cache_->newest();
-  state.memoryBytes = history_.bytes() + cache_->bytes();
-  state.maxMemoryBytes = history_.limits().sum();
+  state.firstFrame = cache_->oldestFrame();
+  state.lastFrame = cache_->newestFrame();
+  state.memoryBytes = history_.memoryBytes() + cache_->memoryBytes();
+  state.maxMemoryBytes = history_.limits().totalBytes();
   if (const TrackedFrame* newest = history_.newest()) {
     state.newestTrackedFrame = newest->frame;
   }
@@ -81,11 +82,11 @@ Status TimeTravel::trackAgain(TrackingRun& run, const TrackedFrame& trackedFrame
     return tl::make_unexpected(frames.error());
   }
   run.beginFrame(*frames);
-  for (int done = 0; done <= trackedFrame.iterations; ++done) {
+  for (int done = 0; done <= trackedFrame.iterationCount; ++done) {
     for (const RunChange& change : history_.changesAt(trackedFrame.frame, done)) {
       run.apply(change);
     }
-    if (done < trackedFrame.iterations) {
+    if (done < trackedFrame.iterationCount) {
       run.iterateTimed();
     }
   }
@@ -101,14 +102,14 @@ bool TimeTravel::restoreCheckpoint(TrackingRun& run, std::int64_t frame, std::in
   // A method that cannot be copied goes over everything again, as long as there are images.
   const auto& begun = history_.methodStart();
   const bool again =
-      begun && begun->frame < frame && begun->frame >= cache_->oldest() && !run.canBeCopied();
+      begun && begun->frame < frame && begun->frame >= cache_->oldestFrame() && !run.canBeCopied();
   next = again ? begun->frame : frame;
   if (again) {
     run.apply(begun->state.definition);
   }
   const TrackedFrame* before = history_.before(next);
   run.restart(run.definition()->seed);
-  run.setIterationCount(before != nullptr ? before->totalIterations : 0);
+  run.setIterationCount(before != nullptr ? before->totalIterationCount : 0);
   return again;
 }
 

@@ -32,12 +32,12 @@ public:
 
   /// Returns the images of a frame; null if there are none, or if they have been dropped to save
   /// memory.
-  Result<FrameSetPtr> frames(std::int64_t frame) { return cache_->at(frame); }
+  Result<FrameSetPtr> framesAt(std::int64_t frame) { return cache_->at(frame); }
   /// Returns the frame closest to this one that can be shown; nothing before the first frame.
-  std::optional<std::int64_t> nearest(std::int64_t frame) const;
+  std::optional<std::int64_t> nearestFrame(std::int64_t frame) const;
   /// Returns the next frame after this one that can be shown; nothing at the end.
   std::optional<std::int64_t> nextShowable(std::int64_t frame) const;
-  /// Returns the images of a frame like frames(), but small images scaled up if the full ones are
+  /// Returns the images of a frame like framesAt(), but small images scaled up if the full ones are
   /// not available immediately. Sets `preview` to true in this case.
   Result<FrameSetPtr> previewAt(std::int64_t frame, bool& preview);
   /// Returns the range of frames that can be shown, and the memory used for them.

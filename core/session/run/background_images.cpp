@@ -40,13 +40,13 @@ Result<std::vector<cv::Mat>> loadBackgroundImages(const Project& project) {
   std::vector<cv::Mat> rooms(project.cameras.size());
   for (std::size_t k = 0; k < rooms.size(); ++k) {
     const ProjectCamera& camera = project.cameras[k];
-    if (camera.backgroundImage.empty()) {
+    if (camera.backgroundImageFile.empty()) {
       continue;
     }
     const Intrinsics& size = camera.camera.intrinsics;
-    auto room = readBackgroundImage(camera.backgroundImage,
+    auto room = readBackgroundImage(camera.backgroundImageFile,
                                     {camera.camera.name, camera.rotateDegrees, size.width,
-                                     size.height, camera.mirrored, camera.crop});
+                                     size.height, camera.isMirrored, camera.crop});
     if (!room) {
       return tl::make_unexpected(room.error());
     }
@@ -62,14 +62,14 @@ Result<std::filesystem::path> saveBackgroundImage(const Project& project, std::s
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem) {
-    return failure(ErrorCode::FileUnwritable, folder.string(), cameraField(its.camera.name),
+    return failure(ErrorCode::FileUnwritable, folder.string(), quotedCameraName(its.camera.name),
                    problem.message());
   }
   // As large as the camera sends it: what was cropped is not known, and continues the edges.
   cv::Mat rotated;
   cv::copyMakeBorder(image, rotated, its.crop.top, its.crop.bottom, its.crop.left, its.crop.right,
                      cv::BORDER_REPLICATE);
-  if (its.mirrored) {
+  if (its.isMirrored) {
     cv::flip(rotated, rotated, 1);
   }
   const auto back = prepareImage(rotated, {its.camera.name, (360 - its.rotateDegrees) % 360}, "");

@@ -41,7 +41,7 @@ class EstimatedPositions {
 public:
   EstimatedPositions(const std::vector<TrajectorySample>& samples, const std::string& target) {
     for (const TrajectorySample& sample : samples) {
-      if (sample.target == target && sample.valid) {
+      if (sample.target == target && sample.isValid) {
         positions_[sample.frame] = {sample.position, sample.covariance};
       }
     }
@@ -70,13 +70,13 @@ private:
 /// only ones.
 RunDefinitionPtr definitionFrom(const BackwardRequest& order) {
   auto definition = std::make_shared<RunDefinition>(order.definition);
-  definition->people.clear();
-  definition->corrections = {order.from};
+  definition->personCorrections.clear();
+  definition->corrections = {order.startCorrection};
   for (std::size_t k = 0; k < definition->targets.size(); ++k) {
     for (const TrajectorySample& sample : order.estimates) {
-      if (static_cast<int>(k) != order.from.target && sample.frame == order.from.frame &&
-          sample.valid && sample.target == definition->targets[k].name) {
-        definition->corrections.push_back({.frame = order.from.frame,
+      if (static_cast<int>(k) != order.startCorrection.target && sample.frame == order.startCorrection.frame &&
+          sample.isValid && sample.target == definition->targets[k].name) {
+        definition->corrections.push_back({.frame = order.startCorrection.frame,
                                            .target = static_cast<int>(k),
                                            .position = sample.position,
                                            .covariance = sample.covariance});
@@ -88,7 +88,7 @@ RunDefinitionPtr definitionFrom(const BackwardRequest& order) {
 
 bool isCorrectedAt(const BackwardRequest& order, std::int64_t frame) {
   return std::ranges::any_of(order.definition.corrections, [&](const PositionCorrection& one) {
-    return one.frame == frame && one.target == order.from.target && !one.trackedFrom;
+    return one.frame == frame && one.target == order.startCorrection.target && !one.trackedFrom;
   });
 }
 
@@ -109,17 +109,18 @@ struct BackwardPositions {
 class BackwardFollower final : public FrameObserver {
 public:
   explicit BackwardFollower(const BackwardRequest& order)
-      : at_(order.from.frame), target_(static_cast<std::size_t>(order.from.target)),
+      : at_(order.startCorrection.frame),
+        target_(static_cast<std::size_t>(order.startCorrection.target)),
         believed_(order.estimates, order.definition.targets[target_].name),
-        common_(order.from.position) {}
+        common_(order.startCorrection.position) {}
 
-  Status tracked(const TrackingRun& run) override {
+  Status onFrameTracked(const TrackingRun& run) override {
     begin_ = begin_.value_or(run.frames()->time);
     const double before = seconds(run.frames()->time - *begin_); // the correction
     const std::int64_t frame = 2 * at_ - run.frames()->index;
     const TrackEstimate estimate = run.estimate(target_);
     const auto position = positionOf(estimate);
-    const bool isHeldThere = isHeld(estimate) && position.has_value();
+    const bool isHeldThere = isConfirmed(estimate) && position.has_value();
     lastHeld_ = isHeldThere ? before : lastHeld_;
     hasEnded_ = before - lastHeld_ > kLostSeconds;
     if (!hasEnded_ && isHeldThere && frame != at_) { // at that frame it was said where it is
@@ -168,12 +169,12 @@ Result<BackwardPositions> positionsBefore(FrameSetSource& source, const Backward
   if (!run) {
     return tl::make_unexpected(run.error());
   }
-  const auto target = static_cast<std::size_t>(order.from.target);
+  const auto target = static_cast<std::size_t>(order.startCorrection.target);
   if (!run->supportsCorrections<PositionCorrecting>() ||
       target >= order.definition.targets.size()) {
     return BackwardPositions();
   }
-  const std::int64_t at = order.from.frame;
+  const std::int64_t at = order.startCorrection.frame;
   BackwardFollower follower(order);
   ReversedFrames reversed(source, at);
   const std::array<FrameObserver*, 1> observers{&follower};
@@ -249,7 +250,7 @@ Result<std::vector<TrajectorySample>> estimatesUpTo(FrameSetSource& source,
   class Samples final : public FrameObserver {
   public:
     std::vector<TrajectorySample> all;
-    Status tracked(const TrackingRun& run) override {
+    Status onFrameTracked(const TrackingRun& run) override {
       const auto samples = run.samples();
       all.insert(all.end(), samples.begin(), samples.end());
       return {};
@@ -289,7 +290,7 @@ Result<std::vector<PositionCorrection>> trackBackwards(FrameSetSource& source,
     return std::vector<PositionCorrection>();
   }
   return positionsBefore(source, order, threads, progress).map([&](BackwardPositions positions) {
-    return correctionsFrom(std::move(positions), order.from);
+    return correctionsFrom(std::move(positions), order.startCorrection);
   });
 }
 
@@ -307,7 +308,7 @@ Result<Project> withBackwardCorrections(const Project& project, FrameSetSource& 
                         static_cast<double>(said.size()));
       };
     };
-    const RunDefinition definition = RunDefinition::of(result, backgroundImages);
+    const RunDefinition definition = RunDefinition::fromProject(result, backgroundImages);
     auto believed = estimatesUpTo(source, definition, said[k].frame, threads, part(0.0, 0.5));
     if (!believed) {
       return tl::make_unexpected(believed.error());

@@ -14,8 +14,8 @@ namespace dewpoint::session {
 
 /// Request to track a target backward in time, starting at a correction made by the user.
 struct BackwardRequest {
-  RunDefinition definition; ///< settings of the run in which the correction was made
-  PositionCorrection from;  ///< correction to start from, one of the run's corrections
+  RunDefinition definition;           ///< settings of the run in which the correction was made
+  PositionCorrection startCorrection; ///< correction to start from, one of the run's corrections
   /// Estimates of all targets in the run up to and including the frame of the correction.
   std::vector<TrajectorySample> estimates;
 };

@@ -30,8 +30,8 @@ std::string boxCsv(const BoxTrack& track, CsvNotes notes) {
     const Eigen::Vector2d center = one.box.center();
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", sample.time, sample.frame,
                         sample.target, one.box.x, one.box.y, one.box.width, one.box.height,
-                        center.x(), center.y(), one.similarity, one.spread, one.effectiveSampleSize,
-                        one.visible ? 1 : 0);
+                        center.x(), center.y(), one.similarity, one.spreadPixels,
+                        one.effectiveSampleSize, one.isVisible ? 1 : 0);
   }
   return text;
 }
@@ -40,7 +40,7 @@ std::string boxMotText(const BoxTrack& track) {
   std::string text;
   for (const BoxSample& sample : track.samples) {
     const BoxEstimate& one = sample.estimate;
-    if (one.visible) {
+    if (one.isVisible) {
       text += fmt::format("{},{},{:.2f},{:.2f},{:.2f},{:.2f},{:.4f},-1,-1,-1\n", sample.frame + 1,
                           sample.target, one.box.x + 1.0, one.box.y + 1.0, one.box.width,
                           one.box.height, one.similarity);

@@ -29,11 +29,11 @@ public:
   Status step(const std::vector<cv::Mat>& images, double time);
 
   /// Return the current estimates of all targets: samples() positions in the room or, for methods
-  /// that track boxes, boxes() bounding boxes in the images. Empty before the first step.
+  /// that track boxes, boxSamples() bounding boxes in the images. Empty before the first step.
   std::vector<TrajectorySample> samples() const { return run_.samples(); }
-  std::vector<BoxSample> boxes() const { return run_.boxSamples(); }
+  std::vector<BoxSample> boxSamples() const { return run_.boxSamples(); }
   const TrackingRun& run() const { return run_; }
-  std::int64_t steps() const { return steps_; }
+  std::int64_t stepCount() const { return steps_; }
   /// Restarts from scratch. The time of the next frame may then be earlier.
   void restart();
 

@@ -10,14 +10,14 @@ Result<bool> trackFrame(TrackingRun& run, FrameObservers observers, FrameStep st
   for (int left = run.iterationsPerFrame() - run.frameIterationCount(); left > 0; --left) {
     const double microseconds = run.iterateTimed();
     for (FrameObserver* const observer : observers) {
-      observer->iterated(run, microseconds);
+      observer->onIteration(run, microseconds);
     }
     if (step == FrameStep::OneIteration && left > 1) {
       return false;
     }
   }
   for (FrameObserver* const observer : observers) {
-    if (const auto told = observer->tracked(run); !told) {
+    if (const auto told = observer->onFrameTracked(run); !told) {
       return tl::make_unexpected(told.error());
     }
   }
@@ -31,7 +31,7 @@ Status trackOneFrame(TrackingRun& run, FrameObservers observers) {
 
 Status trackOneFrame(TrackingRun& run, FrameSetPtr frames, FrameObservers observers) {
   for (FrameObserver* const observer : observers) {
-    observer->taken(*frames);
+    observer->onFrameTaken(*frames);
   }
   run.beginFrame(std::move(frames));
   return trackOneFrame(run, observers);
@@ -41,7 +41,7 @@ bool hasImages(const FrameSet& frames) {
   return std::ranges::any_of(frames.frames, [](const FramePtr& frame) { return frame != nullptr; });
 }
 
-std::optional<std::int64_t> FrameRange::count(const FrameSetSource& source) const {
+std::optional<std::int64_t> FrameRange::countIn(const FrameSetSource& source) const {
   const auto total = source.frameCount();
   if (!total && !end) {
     return std::nullopt;
@@ -57,7 +57,7 @@ Status trackFrames(FrameSetSource& source, const FrameRange& range, TrackingRun&
       return sought;
     }
   }
-  const auto count = range.count(source);
+  const auto count = range.countIn(source);
   for (std::int64_t done = 0; shouldContinue() && (!count || done < *count);) {
     auto frames = source.next();
     if (!frames) {

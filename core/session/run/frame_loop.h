@@ -17,11 +17,11 @@ class FrameObserver {
 public:
   virtual ~FrameObserver() = default;
   /// Called when a frame set was taken from the source, before the run uses the set.
-  virtual void taken(const FrameSet& /*frames*/) {}
+  virtual void onFrameTaken(const FrameSet& /*frames*/) {}
   /// Called after each filter iteration, with its duration in microseconds per target.
-  virtual void iterated(const TrackingRun& /*run*/, double /*microseconds*/) {}
+  virtual void onIteration(const TrackingRun& /*run*/, double /*microseconds*/) {}
   /// Called after all iterations of a frame. If it returns an error, the loop ends with this error.
-  virtual Status tracked(const TrackingRun& /*run*/) { return {}; }
+  virtual Status onFrameTracked(const TrackingRun& /*run*/) { return {}; }
 };
 using FrameObservers = std::span<FrameObserver* const>;
 
@@ -52,7 +52,7 @@ struct FrameRange {
 
   /// Returns how many frames of this range a source has; nothing if the length of the source is not
   /// known.
-  std::optional<std::int64_t> count(const FrameSetSource& source) const;
+  std::optional<std::int64_t> countIn(const FrameSetSource& source) const;
 };
 
 /// Tracks the frames of a source in a range, and calls the observers. Ends when the range is

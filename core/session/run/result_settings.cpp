@@ -36,21 +36,21 @@ bool giveSameResults(const RunDefinition& a, const RunDefinition& b) {
 }
 
 void ResultSettings::goBack(std::int64_t frame) {
-  while (!sections_.empty() && sections_.back().frames.first >= frame) {
+  while (!sections_.empty() && sections_.back().frames.firstFrame >= frame) {
     sections_.pop_back();
   }
   if (!sections_.empty()) {
-    sections_.back().frames.last = std::min(sections_.back().frames.last, frame - 1);
+    sections_.back().frames.lastFrame = std::min(sections_.back().frames.lastFrame, frame - 1);
   }
 }
 
 void ResultSettings::recordTrackedFrame(std::int64_t frame, const RunDefinitionPtr& definition) {
   goBack(frame);
-  const bool continues = !sections_.empty() && sections_.back().frames.last == frame - 1 &&
+  const bool continues = !sections_.empty() && sections_.back().frames.lastFrame == frame - 1 &&
                          (sections_.back().definition == definition ||
                           giveSameResults(*sections_.back().definition, *definition));
   if (continues) {
-    sections_.back().frames.last = frame;
+    sections_.back().frames.lastFrame = frame;
   } else {
     sections_.push_back({{frame, frame}, definition});
   }
@@ -62,8 +62,8 @@ std::vector<ResultRange> ResultSettings::framesDifferingFrom(const RunDefinition
     if (giveSameResults(*section.definition, now)) {
       continue;
     }
-    if (!different.empty() && different.back().last == section.frames.first - 1) {
-      different.back().last = section.frames.last;
+    if (!different.empty() && different.back().lastFrame == section.frames.firstFrame - 1) {
+      different.back().lastFrame = section.frames.lastFrame;
     } else {
       different.push_back(section.frames);
     }

@@ -8,10 +8,10 @@
 
 namespace dewpoint::session {
 
-/// Frames from `first` to `last`, both included.
+/// Frames from `firstFrame` to `lastFrame`, both included.
 struct ResultRange {
-  std::int64_t first = 0;
-  std::int64_t last = 0;
+  std::int64_t firstFrame = 0;
+  std::int64_t lastFrame = 0;
   bool operator==(const ResultRange&) const = default;
 };
 
@@ -19,7 +19,7 @@ struct ResultRange {
 struct OldResults {
   /// Frames with old results, in ascending order; empty if all results come from the current
   /// settings.
-  std::vector<ResultRange> frames;
+  std::vector<ResultRange> frameRanges;
   /// Last frame with results, whether old or not; -1 if there is none.
   std::int64_t newestFrame = -1;
   /// Time in seconds to track a frame again (median of the last frames); 0 if unknown.
@@ -43,7 +43,9 @@ public:
   /// Returns the frames whose results came from settings other than `now`.
   std::vector<ResultRange> framesDifferingFrom(const RunDefinition& now) const;
   /// Returns the last frame with results; -1 if there is none.
-  std::int64_t newestFrame() const { return sections_.empty() ? -1 : sections_.back().frames.last; }
+  std::int64_t newestFrame() const {
+    return sections_.empty() ? -1 : sections_.back().frames.lastFrame;
+  }
 
 private:
   /// Consecutive frames that were tracked with the same settings.

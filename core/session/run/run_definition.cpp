@@ -33,7 +33,8 @@ bool areImagesEqual(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b
   return std::ranges::equal(a, b, isSameImage);
 }
 
-RunDefinition RunDefinition::of(const Project& project, std::vector<cv::Mat> backgroundImages) {
+RunDefinition RunDefinition::fromProject(const Project& project,
+                                         std::vector<cv::Mat> backgroundImages) {
   RunDefinition definition;
   definition.method = project.method;
   definition.parameters = project.parameters;
@@ -41,9 +42,9 @@ RunDefinition RunDefinition::of(const Project& project, std::vector<cv::Mat> bac
   definition.rig = std::make_shared<const CameraRig>(rigOf(project));
   definition.backgroundImages = std::move(backgroundImages);
   for (const ProjectCamera& camera : project.cameras) {
-    definition.backgroundImageFiles.push_back(camera.backgroundImage);
+    definition.backgroundImageFiles.push_back(camera.backgroundImageFile);
   }
-  definition.people = project.people;
+  definition.personCorrections = project.personCorrections;
   definition.volumeOfInterest = project.volumeOfInterest;
   definition.corrections = project.corrections;
   definition.seed = project.seed;
@@ -55,13 +56,13 @@ Project RunDefinition::appliedTo(Project project) const {
   project.method = method;
   project.parameters = parameters;
   project.targets = targets;
-  project.people = people;
+  project.personCorrections = personCorrections;
   project.volumeOfInterest = volumeOfInterest;
   project.corrections = corrections;
   project.seed = seed;
   for (std::size_t k = 0; k < std::min(project.cameras.size(), rig->size()); ++k) {
     project.cameras[k].camera = (*rig)[k];
-    project.cameras[k].backgroundImage = backgroundImageFiles[k];
+    project.cameras[k].backgroundImageFile = backgroundImageFiles[k];
   }
   return project;
 }
@@ -74,7 +75,8 @@ bool RunDefinition::operator==(const RunDefinition& other) const {
   return method == other.method && parameters == other.parameters && targets == other.targets &&
          (rig == other.rig || *rig == *other.rig) &&
          areImagesEqual(backgroundImages, other.backgroundImages) &&
-         backgroundImageFiles == other.backgroundImageFiles && people == other.people &&
+         backgroundImageFiles == other.backgroundImageFiles &&
+         personCorrections == other.personCorrections &&
          volumeOfInterest == other.volumeOfInterest && corrections == other.corrections &&
          seed == other.seed;
 }
@@ -107,7 +109,7 @@ std::string differences(const RunDefinition& before, const RunDefinition& after)
       add((*after.rig)[k].name, "another background image");
     }
   }
-  if (before.people != after.people) {
+  if (before.personCorrections != after.personCorrections) {
     add("people", "other corrections");
   }
   if (before.volumeOfInterest != after.volumeOfInterest) {

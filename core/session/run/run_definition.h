@@ -30,7 +30,7 @@ struct RunDefinition {
   std::vector<std::string> backgroundImageFiles; ///< files of the background images, one per
                                                  ///< camera, as named in the project
   /// Corrections for people, ordered by frame; used only by methods that track people.
-  std::vector<PersonCorrection> people;
+  std::vector<PersonCorrection> personCorrections;
   std::optional<WorldBox> volumeOfInterest; ///< volume in which targets are searched for
   /// Corrections of target positions, ordered by frame; ignored by methods that cannot apply them.
   std::vector<PositionCorrection> corrections;
@@ -38,7 +38,8 @@ struct RunDefinition {
 
   /// Returns the definition (settings) of a run of this project. `backgroundImages` has one image
   /// per camera, as returned by loadBackgroundImages(), or is empty.
-  static RunDefinition of(const Project& project, std::vector<cv::Mat> backgroundImages = {});
+  static RunDefinition fromProject(const Project& project,
+                                   std::vector<cv::Mat> backgroundImages = {});
   /// Returns the project with its settings replaced by those of this definition.
   Project appliedTo(Project project) const;
 

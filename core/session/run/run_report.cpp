@@ -58,7 +58,7 @@ nlohmann::ordered_json clocksJson(const std::vector<ClockEstimate>& clocks,
     if (clocks[k].delaySigma > 0.0) {
       json.push_back({{"camera", rig[k].name},
                       {"relative_to", rig[0].name},
-                      {"delay_milliseconds", inMilliseconds(clocks[k].delay)},
+                      {"delay_milliseconds", inMilliseconds(clocks[k].delaySeconds)},
                       {"delay_sigma_milliseconds", inMilliseconds(clocks[k].delaySigma)},
                       {"drift_ppm", kPartsPerMillion * clocks[k].drift},
                       {"drift_sigma_ppm", kPartsPerMillion * clocks[k].driftSigma}});
@@ -76,7 +76,8 @@ nlohmann::ordered_json millisecondsJson(const Latency& latency) {
 nlohmann::ordered_json liveLatencyJson(const LiveLatency& live) {
   nlohmann::ordered_json json;
   for (const TimeOrigin origin : {TimeOrigin::Driver, TimeOrigin::Sender, TimeOrigin::Arrival}) {
-    if (const std::int64_t images = live.images[static_cast<std::size_t>(origin)]; images > 0) {
+    if (const std::int64_t images = live.imageCounts[static_cast<std::size_t>(origin)];
+        images > 0) {
       json["images"][timeOriginName(origin)] = images;
     }
   }
@@ -100,18 +101,19 @@ void NoticeLog::update(const std::vector<Error>& notices, double time) {
   std::vector<std::string> present;
   std::ranges::transform(notices, std::back_inserter(present), errorSentence);
   for (NoticePeriod& period : periods_) {
-    if (period.to) {
+    if (period.endSeconds) {
       continue;
     }
     if (const auto still = std::ranges::find(present, period.text); still != present.end()) {
       present.erase(still);
     } else {
-      period.to = time;
+      period.endSeconds = time;
     }
   }
   for (std::string& text : present) {
-    const bool isKnown = std::ranges::any_of(
-        periods_, [&](const NoticePeriod& period) { return !period.to && period.text == text; });
+    const bool isKnown = std::ranges::any_of(periods_, [&](const NoticePeriod& period) {
+      return !period.endSeconds && period.text == text;
+    });
     if (!isKnown && periods_.size() < kMaxPeriods) {
       periods_.push_back({std::move(text), time, std::nullopt});
     }
@@ -124,25 +126,28 @@ std::string runReport(const Project& project, const RunStatistics& statistics) {
   json["project"] = project.name;
   json["method"] = project.method;
   json["seed"] = project.seed;
-  json["threads"] = statistics.threads;
-  json["finished"] = statistics.finished;
-  json["frames"] = statistics.frames;
-  json["seconds"] = statistics.seconds;
+  json["threads"] = statistics.threadCount;
+  json["finished"] = statistics.isFinished;
+  json["frames"] = statistics.frameCount;
+  json["seconds"] = statistics.durationSeconds;
   json["frames_per_second"] =
-      statistics.seconds > 0.0 ? static_cast<double>(statistics.frames) / statistics.seconds : 0.0;
-  json["iterations"] = statistics.iterations.count();
+      statistics.durationSeconds > 0.0
+          ? static_cast<double>(statistics.frameCount) / statistics.durationSeconds
+          : 0.0;
+  json["iterations"] = statistics.iterationDurations.count();
   json["microseconds_per_iteration"] = {
-      {"p50", kMicroseconds * statistics.iterations.quantile(0.5)},
-      {"p99", kMicroseconds * statistics.iterations.quantile(0.99)}};
-  json["milliseconds_per_frame"] = {{"p50", inMilliseconds(statistics.latency.quantile(0.5))},
-                                    {"p99", inMilliseconds(statistics.latency.quantile(0.99))},
-                                    {"p99.9", inMilliseconds(statistics.latency.quantile(0.999))},
-                                    {"max", inMilliseconds(statistics.latency.longest())}};
-  if (auto live = liveLatencyJson(statistics.live.summary()); !live.is_null()) {
+      {"p50", kMicroseconds * statistics.iterationDurations.quantile(0.5)},
+      {"p99", kMicroseconds * statistics.iterationDurations.quantile(0.99)}};
+  json["milliseconds_per_frame"] = {
+      {"p50", inMilliseconds(statistics.frameDurations.quantile(0.5))},
+      {"p99", inMilliseconds(statistics.frameDurations.quantile(0.99))},
+      {"p99.9", inMilliseconds(statistics.frameDurations.quantile(0.999))},
+      {"max", inMilliseconds(statistics.frameDurations.longest())}};
+  if (auto live = liveLatencyJson(statistics.liveLatency.summary()); !live.is_null()) {
     json["live_milliseconds"] = std::move(live);
   }
-  json["dropped_frames"] = statistics.droppedFrames;
-  json["clocks"] = clocksJson(statistics.clocks, project);
+  json["dropped_frames"] = statistics.droppedFrameCount;
+  json["clocks"] = clocksJson(statistics.clockEstimates, project);
   for (const auto& declaration : project.parameters.declarations()) {
     json["parameters"][declaration.key] = project.parameters.at(declaration.key);
   }
@@ -158,8 +163,9 @@ std::string runReport(const Project& project, const RunStatistics& statistics) {
   for (const NoticePeriod& period : statistics.noticeLog.periods()) {
     nlohmann::ordered_json& one = json["notice_log"].emplace_back();
     one["notice"] = period.text;
-    one["from"] = period.from;
-    one["to"] = period.to ? nlohmann::ordered_json(*period.to) : nlohmann::ordered_json(nullptr);
+    one["from"] = period.startSeconds;
+    one["to"] = period.endSeconds ? nlohmann::ordered_json(*period.endSeconds)
+                                  : nlohmann::ordered_json(nullptr);
   }
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

@@ -18,9 +18,9 @@ namespace dewpoint::session {
 /// Notice (warning for the user) of a run, and the period for which the cause of the notice lasted.
 struct NoticePeriod {
   std::string text;
-  double from = 0.0; ///< time when the cause was first noticed, in seconds of the run
+  double startSeconds = 0.0; ///< time when the cause was first noticed, in seconds of the run
   /// Time when the cause was over, in seconds of the run; empty while it lasts.
-  std::optional<double> to;
+  std::optional<double> endSeconds;
 };
 
 /// Records which notices a run had, and when. If a cause comes back, another period is added.
@@ -40,18 +40,18 @@ private:
 
 /// Statistics of a run so far.
 struct RunStatistics {
-  std::int64_t frames = 0;
+  std::int64_t frameCount = 0;
   /// Wall-clock time from the arrival of the first frame to the last estimate.
-  double seconds = 0.0;
-  std::int64_t droppedFrames = 0;
-  int threads = 1;              ///< number of threads that run the particle filters
-  bool finished = false;        ///< true if the end of the input was reached
-  DurationHistogram iterations; ///< duration of one filter iteration, per target
+  double durationSeconds = 0.0;
+  std::int64_t droppedFrameCount = 0;
+  int threadCount = 1;                  ///< number of threads that run the particle filters
+  bool isFinished = false;              ///< true if the end of the input was reached
+  DurationHistogram iterationDurations; ///< duration of one filter iteration, per target
   /// Latency of live images, from the capture to the display, divided into stages.
-  LatencyStages live;
-  DurationHistogram latency; ///< time from the arrival of a frame set to its estimate
+  LatencyStages liveLatency;
+  DurationHistogram frameDurations; ///< time from the arrival of a frame set to its estimate
   /// Clock error of each camera; empty if the method estimates none.
-  std::vector<ClockEstimate> clocks;
+  std::vector<ClockEstimate> clockEstimates;
   std::vector<std::string>
       notices; ///< every notice so far, once, including those whose cause is over
   /// Periods in which the notices applied; notices about moved cameras are left out.

@@ -13,10 +13,10 @@ TrajectorySample sampleOf(const SphereEstimate& sphere, const std::string& targe
   sample.covariance = sphere.covariance;
   sample.effectiveSampleSize = sphere.effectiveSampleSize;
   sample.cameraCount = sphere.seeingCameraCount;
-  sample.valid = sphere.valid;
+  sample.isValid = sphere.isValid;
   sample.existenceProbability = sphere.existenceProbability;
   sample.bestParticle = bestParticleOf(sphere);
-  sample.ambiguous = sphere.ambiguous;
+  sample.isAmbiguous = sphere.isAmbiguous;
   sample.extent = sphere.extent;
   if (sphere.measurement) {
     sample.measurement =

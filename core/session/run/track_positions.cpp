@@ -102,7 +102,7 @@ Result<Trajectory> trackPositions(const Trajectory& measured, const ParameterVal
   ThreadTeam team(1);
   std::map<std::string, std::int64_t> counts;
   for (const TrajectorySample& sample : measured.samples) {
-    const bool usable = sample.valid && sample.position.allFinite();
+    const bool usable = sample.isValid && sample.position.allFinite();
     TrackerPtr& tracker = trackers[sample.target];
     if (!tracker) {
       if (!usable) {
@@ -127,7 +127,7 @@ Result<Trajectory> trackPositions(const Trajectory& measured, const ParameterVal
     result.covariance = estimate.covariance;
     result.effectiveSampleSize = estimate.effectiveSampleSize;
     result.cameraCount = 0;
-    result.valid = usable;
+    result.isValid = usable;
     result.existenceProbability = estimate.existenceProbability;
     tracked.samples.push_back(std::move(result));
   }

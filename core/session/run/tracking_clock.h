@@ -11,8 +11,8 @@ namespace dewpoint::session {
 /// spent in other observers are not included.
 class TrackingClock final : public FrameObserver {
 public:
-  void taken(const FrameSet& /*frames*/) override { since_ = Clock::now(); }
-  void iterated(const TrackingRun& /*run*/, double /*microseconds*/) override {
+  void onFrameTaken(const FrameSet& /*frames*/) override { since_ = Clock::now(); }
+  void onIteration(const TrackingRun& /*run*/, double /*microseconds*/) override {
     const Clock::time_point now = Clock::now();
     seconds_ += std::chrono::duration<double>(now - since_).count();
     since_ = now;

@@ -21,7 +21,7 @@ namespace {
 constexpr Overloaded kStatusBeforeTracking{
     [](const SphereEstimate&) { return TargetStatus::Searching; },
     [](const BoxEstimate& box) {
-      return isHeld(box) ? TargetStatus::Held : TargetStatus::Searching;
+      return isConfirmed(box) ? TargetStatus::Held : TargetStatus::Searching;
     },
     [](const PersonEstimate&) { return TargetStatus::Searching; },
     [](const AbsentEstimate&) { return TargetStatus::Gone; }};
@@ -49,11 +49,11 @@ TrajectoryHeader trajectoryHeader(const Project& project) {
   const Method* const method = findMethod(project.method);
   header.hasMeasurements = method != nullptr && method->writesMeasurements;
   header.hasBestParticles = method != nullptr && method->family.hasBestParticle;
-  header.hasAmbiguous = method != nullptr && method->writesAmbiguity;
+  header.hasAmbiguousColumn = method != nullptr && method->writesAmbiguity;
   const auto mayBeNoBall = [](const Target& target) { return target.shape != TargetShape::Ball; };
   header.hasExtent = method != nullptr && method->tracksAnyShape &&
                      std::ranges::any_of(project.targets, mayBeNoBall);
-  header.hasCorrected = header.hasBestParticles && !project.corrections.empty();
+  header.hasCorrectedColumn = header.hasBestParticles && !project.corrections.empty();
   return header;
 }
 
@@ -81,21 +81,21 @@ Result<TrackingRun> TrackingRun::create(RunDefinitionPtr definition, int threadC
   if (!tracker) {
     return tl::make_unexpected(tracker.error());
   }
-  return of(std::move(*tracker), std::move(definition), threadCount);
+  return fromTracker(std::move(*tracker), std::move(definition), threadCount);
 }
 
 Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount,
                                         std::vector<cv::Mat> backgroundImages) {
   return create(std::make_shared<const RunDefinition>(
-                    RunDefinition::of(project, std::move(backgroundImages))),
+                    RunDefinition::fromProject(project, std::move(backgroundImages))),
                 threadCount);
 }
 
-TrackingRun TrackingRun::of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr definition,
-                            int threadCount) {
+TrackingRun TrackingRun::fromTracker(std::unique_ptr<Tracker> tracker, RunDefinitionPtr definition,
+                                     int threadCount) {
   TrackingRun run;
   run.tracker_ = std::move(tracker);
-  if (auto* const knowing = tracking::capability<BackgroundImageUsing>(*run.tracker_)) {
+  if (auto* const knowing = tracking::capability<BackgroundImageConfigurable>(*run.tracker_)) {
     knowing->setBackgroundImages(definition->backgroundImages);
   }
   auto* const bounded = tracking::capability<VolumeBounded>(*run.tracker_);
@@ -111,7 +111,7 @@ TrackingRun TrackingRun::of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr d
 void TrackingRun::restart(std::uint64_t seed) {
   tracker_->restart(seed);
   frames_ = nullptr;
-  iterations_ = 0;
+  iterationCount_ = 0;
   frameIterationCount_ = 0;
 }
 
@@ -139,11 +139,11 @@ void TrackingRun::apply(const RunDefinitionPtr& definition) {
       !std::ranges::equal(definition->targets, before->targets, areSameExceptShown)) {
     following->setTargets(definition->targets);
   }
-  auto* const calibrated = tracking::capability<CameraCalibrated>(*tracker_);
+  auto* const calibrated = tracking::capability<RigConfigurable>(*tracker_);
   if (calibrated != nullptr && definition->rig != before->rig && *definition->rig != *before->rig) {
     calibrated->setCameras(*definition->rig);
   }
-  auto* const knowing = tracking::capability<BackgroundImageUsing>(*tracker_);
+  auto* const knowing = tracking::capability<BackgroundImageConfigurable>(*tracker_);
   if (knowing != nullptr &&
       !areImagesEqual(definition->backgroundImages, before->backgroundImages)) {
     knowing->setBackgroundImages(definition->backgroundImages);
@@ -158,7 +158,7 @@ void TrackingRun::apply(const RunChange& change) {
 }
 
 void TrackingRun::applyCorrection(const PeopleChange& people) {
-  auto* const placing = tracking::capability<PersonPlacing>(*tracker_);
+  auto* const placing = tracking::capability<PersonEditing>(*tracker_);
   if (people.newPersonPosition && placing != nullptr) {
     placing->addPerson(*people.newPersonPosition);
   }
@@ -169,7 +169,7 @@ void TrackingRun::applyCorrection(const PeopleChange& people) {
 
 const std::vector<Target>& TrackingRun::targets() const {
   const auto* const finding = capability<PeopleFinding>();
-  return finding != nullptr ? finding->allPeople() : definition_->targets;
+  return finding != nullptr ? finding->peopleAsTargets() : definition_->targets;
 }
 
 bool TrackingRun::canBeCopied() const {
@@ -178,11 +178,11 @@ bool TrackingRun::canBeCopied() const {
 }
 
 TrackingRun::State TrackingRun::save() const {
-  State state{nullptr, definition_, iterations_, 0};
+  State state{nullptr, definition_, iterationCount_, 0};
   const auto* const copying = capability<Copyable>();
   if (std::unique_ptr<Tracker> copy = copying != nullptr ? copying->clone() : nullptr) {
     copy->beginFrame(nullptr); // the images of the last frame are not needed to go on
-    state.bytes = tracking::capability<Copyable>(*copy)->memoryBytes();
+    state.memoryBytes = tracking::capability<Copyable>(*copy)->memoryBytes();
     state.tracker = std::move(copy);
   }
   return state;
@@ -192,7 +192,7 @@ void TrackingRun::restore(const State& state) {
   tracker_ = tracking::capability<Copyable>(*state.tracker)->clone();
   definition_ = state.definition;
   frames_ = nullptr;
-  iterations_ = state.iterations;
+  iterationCount_ = state.iterationCount;
   frameIterationCount_ = 0;
 }
 
@@ -209,7 +209,7 @@ int TrackingRun::iterationsPerFrame() const {
 double TrackingRun::iterateTimed() {
   const auto begin = std::chrono::steady_clock::now();
   tracker_->iterate(*team_);
-  ++iterations_;
+  ++iterationCount_;
   if (++frameIterationCount_ == iterationsPerFrame()) {
     correctPeople();
     correctPositions();
@@ -219,7 +219,7 @@ double TrackingRun::iterateTimed() {
 }
 
 void TrackingRun::correctPeople() {
-  for (const PersonCorrection& correction : definition_->people) {
+  for (const PersonCorrection& correction : definition_->personCorrections) {
     if (frames_ && correction.frame == frames_->index) {
       apply(effectOf(correction));
     }
@@ -269,7 +269,7 @@ std::vector<TrajectorySample> TrackingRun::samples() const {
     std::visit(Overloaded{[&](const SphereEstimate& sphere) {
                             samples.push_back(
                                 sampleOf(sphere, targets()[k].name, frames_->index, time));
-                            samples.back().corrected = isCorrected(k);
+                            samples.back().isCorrected = isCorrected(k);
                           },
                           [&](const PersonEstimate& person) {
                             samples.push_back(sampleOf(person, frames_->index, time));
@@ -306,8 +306,8 @@ TrackedFrame TrackingRun::commonTrackedFrame(const TrackedFrame* before,
   TrackedFrame trackedFrame;
   trackedFrame.frame = frames_ ? frames_->index : -1;
   trackedFrame.time = frames_ ? seconds(frames_->time) : 0.0;
-  trackedFrame.iterations = frameIterationCount_;
-  trackedFrame.totalIterations = iterations_;
+  trackedFrame.iterationCount = frameIterationCount_;
+  trackedFrame.totalIterationCount = iterationCount_;
   const std::vector<Target>& tracked = targets();
   const bool same =
       before != nullptr && before->targetDefinitions && tracked == *before->targetDefinitions;
@@ -363,7 +363,7 @@ TrackedFrame TrackingRun::trackedFrame(int particleLimit, const TrackedFrame* pr
     if (previous != nullptr && k < previous->targets.size()) {
       target.lastHeldTime = previous->targets[k].lastHeldTime;
     }
-    const bool held = isHeld(target.estimate);
+    const bool held = isConfirmed(target.estimate);
     target.lastHeldTime = held ? trackedFrame.time : target.lastHeldTime;
     target.status = isAbsent(target.estimate) ? TargetStatus::Gone
                     : isAmbiguous(target.estimate)

@@ -50,8 +50,8 @@ public:
                                     std::vector<cv::Mat> backgroundImages = {});
   /// Creates a run with a given tracker, which need not be one of the program's own tracking
   /// methods.
-  static TrackingRun of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr definition,
-                        int threadCount);
+  static TrackingRun fromTracker(std::unique_ptr<Tracker> tracker, RunDefinitionPtr definition,
+                                 int threadCount);
 
   /// Returns the current definition (all settings of the run); never null.
   const RunDefinitionPtr& definition() const { return definition_; }
@@ -73,8 +73,8 @@ public:
     /// Copy of the tracker; null if the tracker cannot be copied.
     std::shared_ptr<const Tracker> tracker;
     RunDefinitionPtr definition;
-    std::int64_t iterations = 0;
-    std::size_t bytes = 0;
+    std::int64_t iterationCount = 0;
+    std::size_t memoryBytes = 0;
   };
   /// Returns the current state, from which restore() continues. The state has no tracker if the
   /// method does not support copies of its tracker.
@@ -85,13 +85,13 @@ public:
   /// contain a tracker.
   bool canBeCopied() const;
   /// Returns whether the method supports the corrections by the user that `Correcting` describes:
-  /// corrected positions (PositionCorrecting), or people added and removed (PersonPlacing).
+  /// corrected positions (PositionCorrecting), or people added and removed (PersonEditing).
   template <class Correcting> bool supportsCorrections() const {
     return capability<Correcting>() != nullptr;
   }
   /// Sets the number of iterations counted so far, so that a new run can continue the count of a
   /// previous one.
-  void setIterationCount(std::int64_t iterations) { iterations_ = iterations; }
+  void setIterationCount(std::int64_t iterationCount) { iterationCount_ = iterationCount; }
   /// Sets the number of threads from the next iteration on; it never changes the result.
   void setThreadCount(int threadCount) { team_ = std::make_unique<ThreadTeam>(threadCount); }
   int threadCount() const { return team_->threadCount(); }
@@ -112,7 +112,7 @@ public:
   /// of this function.
   std::vector<Error> takeCorrectionErrors() { return std::exchange(correctionErrors_, {}); }
 
-  std::int64_t iterations() const { return iterations_; }
+  std::int64_t iterationCount() const { return iterationCount_; }
   /// Returns the tracked targets: the targets of the project or, for methods that find people, the
   /// persons found so far.
   const std::vector<Target>& targets() const;
@@ -169,7 +169,7 @@ private:
   std::unique_ptr<Tracker> tracker_;
   FrameSetPtr frames_;
   std::unique_ptr<ThreadTeam> team_;
-  std::int64_t iterations_ = 0;
+  std::int64_t iterationCount_ = 0;
   int frameIterationCount_ = 0;
   std::vector<Error> correctionErrors_;
 };

@@ -66,11 +66,11 @@ void addDisk(const SelfTestInputs& parts, SelfTestLines& lines) {
 }
 
 void addCameras(const SelfTestInputs& parts, SelfTestLines& lines) {
-  if (parts.cameras.empty()) {
+  if (parts.cameraNames.empty()) {
     lines.push_back(
         {Note, "cameras", "no camera is connected (/dev/video*); recordings can still be used"});
   }
-  for (const std::string& camera : parts.cameras) {
+  for (const std::string& camera : parts.cameraNames) {
     const bool isAllowed = ::access(camera.c_str(), R_OK | W_OK) == 0;
     lines.push_back({isAllowed ? Ok : Problem, "camera " + camera,
                      isAllowed ? "it is connected (it was not opened)"
@@ -106,14 +106,14 @@ Result<SceneRun> trackScene(SessionInputs& inputs, const std::function<bool()>& 
   const auto frames =
       static_cast<std::int64_t>(kSelfTestSeconds * inputs.source->framesPerSecond());
   const RecordRunOptions order{
-      .frames = {0, frames}, .threads = threadCountForFilter(0), .observers = observers};
+      .frames = {0, frames}, .threadCount = threadCountForFilter(0), .observers = observers};
   auto run = recordRun(inputs.project, *inputs.source, inputs.backgroundImages, order,
                        [&](auto /*done*/, auto /*total*/) { return shouldContinue(); });
   if (!run || run->endError) {
     return tl::make_unexpected(run ? *run->endError : run.error());
   }
   const double seconds = clock.seconds();
-  const double rate = seconds > 0.0 ? static_cast<double>(run->frames) / seconds : 0.0;
+  const double rate = seconds > 0.0 ? static_cast<double>(run->frameCount) / seconds : 0.0;
   return SceneRun{std::move(*run), rate};
 }
 

@@ -24,7 +24,7 @@ struct SelfTestInputs {
   /// Opens a simulated scene with known ground truth. The self-test tracks its first
   /// kSelfTestSeconds. If empty, this test is omitted.
   std::function<Result<SessionInputs>()> openScene = {};
-  std::vector<std::string> cameras = {}; ///< camera devices of this computer
+  std::vector<std::string> cameraNames = {}; ///< camera devices of this computer
   /// Folder for test files. The self-test creates the folder and removes it afterward with all its
   /// contents.
   std::filesystem::path scratchFolder = {};

@@ -31,11 +31,11 @@ CameraStatus statusInCamera(const TargetSnapshot& target, std::size_t camera) {
   }
   const auto& evidence = cameraEvidenceOf(target.estimate);
   if (camera < evidence.size()) {
-    return !evidence[camera].inView         ? CameraStatus::OutOfView
-           : evidence[camera].visible > 0.0 ? CameraStatus::None
-                                            : CameraStatus::Hidden;
+    return !evidence[camera].isInView            ? CameraStatus::OutOfView
+           : evidence[camera].visibleShare > 0.0 ? CameraStatus::None
+                                                 : CameraStatus::Hidden;
   }
-  return isHeld(target.estimate) ? CameraStatus::None : CameraStatus::Hidden;
+  return isConfirmed(target.estimate) ? CameraStatus::None : CameraStatus::Hidden;
 }
 
 } // namespace

@@ -33,7 +33,7 @@ struct TargetSnapshot {
   Eigen::ArrayXd weights;    ///< weight of each row's particle, linear (not logarithmic)
   /// Positions in the last frames, which are drawn as a tail, in meters, oldest first; NaN where
   /// the target was not held (confirmed by the cameras).
-  std::vector<Eigen::Vector3d> tail;
+  std::vector<Eigen::Vector3d> tailPositions;
   std::optional<Eigen::Vector3d> truth;
   TargetStatus status = TargetStatus::Searching;
   TrackingState stateWhileAbsent = TrackingState::Gone; ///< state shown while the target is absent
@@ -78,9 +78,9 @@ struct RerunState {
 /// Statistics of how well a run meets its time budget per iteration (parameter `time_budget`),
 /// since the budget was set or the run began.
 struct BudgetStatistics {
-  double budgetMilliseconds = 0.0; ///< time budget per iteration; 0: none
-  std::int64_t iterations = 0;     ///< number of iterations
-  std::int64_t lateIterations = 0; ///< number of iterations that took longer than the budget
+  double budgetMilliseconds = 0.0;     ///< time budget per iteration; 0: none
+  std::int64_t iterationCount = 0;     ///< number of iterations
+  std::int64_t lateIterationCount = 0; ///< number of iterations that took longer than the budget
 };
 
 /// Everything that views can show of one frame. Immutable once published.
@@ -110,14 +110,14 @@ struct TrackSnapshot {
   HistoryState history;            ///< other frames that can be shown
   std::optional<RerunState> rerun; ///< set while past frames are tracked again
   std::optional<std::int64_t> frameCount;
-  std::int64_t iterations = 0;           ///< filter iterations since the (re)start
+  std::int64_t iterationCount = 0;       ///< filter iterations since the (re)start
   double sourceFramesPerSecond = 0.0;    ///< frame rate of the recording or cameras; 0: unknown
   double framesPerSecond = 0.0;          ///< frame rate that the run achieves
   double microsecondsPerIteration = 0.0; ///< median duration of the last iterations, per target
   Latency latency;                       ///< time from the arrival of a frame set to its estimate
   LiveLatency liveLatency; ///< latency of live images, by stage; all zero for recordings
   BudgetStatistics budget;
-  std::int64_t droppedFrames = 0;
+  std::int64_t droppedFrameCount = 0;
   std::uint64_t seed = 0;
   PlayState state = PlayState::Paused;
   /// Instant at which the newest estimate of the run was finished; zero before the first estimate.
@@ -142,18 +142,18 @@ struct IterationRecord {
   int target = 0;
   double spread = 0.0; ///< spread of the particles: root mean square over all axes, meters
   double effectiveSampleSize = 0.0;
-  double error = -1.0;       ///< distance from the truth in meters; negative if unknown
-  double time = 0.0;         ///< time of the frame, seconds
-  double microseconds = 0.0; ///< duration of this iteration, per target
+  double distanceToTruth = -1.0;     ///< distance from the truth in meters; negative if unknown
+  double frameTime = 0.0;            ///< time of the frame, seconds
+  double durationMicroseconds = 0.0; ///< duration of this iteration, per target
   /// Standard deviations of x, y and z, meters.
   Eigen::Vector3d spreadPerAxis = Eigen::Vector3d::Zero();
   int particleCount = 0;
   /// Probability that the target exists, from all cameras together.
   double existenceProbability = 0.0;
-  bool isHeld = false; ///< whether the target is held (confirmed by the cameras)
+  bool isConfirmed = false; ///< true if the cameras confirm the target
   /// Likelihood, existence probability and visible fraction of the target per camera, in the order
   /// of the rig; empty if the method does not compute them.
-  std::vector<CameraEvidence> cameras = {};
+  std::vector<CameraEvidence> cameraEvidence = {};
   /// Similarity of the colors in the box to those of the target, only for methods that track boxes;
   /// `spread` is then in pixels.
   std::optional<double> similarity = std::nullopt;

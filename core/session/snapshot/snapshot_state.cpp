@@ -203,8 +203,8 @@ std::optional<Gaussian3> positionEstimate(const TrackSnapshot& snapshot, int tar
   return particleCountOf(estimate) > 0 ? positionOf(estimate) : std::nullopt;
 }
 
-int targetNear(const TrackSnapshot& snapshot, int count, int camera, const Eigen::Vector2d& pixel,
-               double reach) {
+int targetIndexNear(const TrackSnapshot& snapshot, int count, int camera,
+                    const Eigen::Vector2d& pixel, double reach) {
   int nearest = -1;
   double least = reach;
   for (int target = 0; target < count; ++target) {
@@ -227,11 +227,11 @@ const Error* noticeOf(const TrackSnapshot& snapshot, int camera) {
     return nullptr;
   }
   const auto found =
-      std::ranges::find(snapshot.notices, capture::cameraField(its->name), &Error::field);
+      std::ranges::find(snapshot.notices, capture::quotedCameraName(its->name), &Error::field);
   return found != snapshot.notices.end() ? &*found : nullptr;
 }
 
-int personSeenAt(const TrackSnapshot& snapshot, int camera, const Eigen::Vector2d& pixel) {
+int personIndexAt(const TrackSnapshot& snapshot, int camera, const Eigen::Vector2d& pixel) {
   const Camera* its = cameraOf(snapshot, camera);
   if (its == nullptr) {
     return -1;
@@ -244,7 +244,7 @@ int personSeenAt(const TrackSnapshot& snapshot, int camera, const Eigen::Vector2
     const double distance = (person.estimate->position - its->center()).norm();
     if (shape && distance < nearest && isWithin(projectedHull(projector, shape->hull), pixel)) {
       nearest = distance;
-      found = static_cast<int>(person.index);
+      found = static_cast<int>(person.targetIndex);
     }
   }
   return found;

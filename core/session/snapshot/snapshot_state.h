@@ -47,15 +47,15 @@ std::optional<Gaussian3> positionEstimate(const TrackSnapshot& snapshot, int tar
 /// Returns the index of the target whose estimate is closest to a pixel of a camera, among those of
 /// the first `count` targets that the views show. Returns -1 if none is at most `reach` pixels
 /// away.
-int targetNear(const TrackSnapshot& snapshot, int count, int camera, const Eigen::Vector2d& pixel,
-               double reach);
+int targetIndexNear(const TrackSnapshot& snapshot, int count, int camera,
+                    const Eigen::Vector2d& pixel, double reach);
 
 /// Returns the notice about the current problem of a camera; null if no problem is known.
 const Error* noticeOf(const TrackSnapshot& snapshot, int camera);
 
 /// One person of a snapshot; valid as long as the snapshot exists.
 struct PersonInSnapshot {
-  std::size_t index = 0; ///< index of the target
+  std::size_t targetIndex = 0; ///< index of the target
   const TargetSnapshot* target = nullptr;
   const PersonEstimate* estimate = nullptr; ///< estimate of the target
 };
@@ -65,6 +65,6 @@ std::vector<PersonInSnapshot> peopleIn(const TrackSnapshot& snapshot);
 
 /// Returns the index of the person whose hull covers a pixel of a camera; -1 if there is none. Of
 /// several, returns the one closest to the camera.
-int personSeenAt(const TrackSnapshot& snapshot, int camera, const Eigen::Vector2d& pixel);
+int personIndexAt(const TrackSnapshot& snapshot, int camera, const Eigen::Vector2d& pixel);
 
 } // namespace dewpoint::session

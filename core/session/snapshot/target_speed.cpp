@@ -27,7 +27,7 @@ void TargetSpeed::add(const TrackSnapshot& snapshot, const TargetSnapshot& targe
   TrajectorySample sample;
   sample.frame = snapshot.frame;
   sample.time = snapshot.frames ? seconds(snapshot.frames->time) : 0.0;
-  sample.valid = position.has_value() && isHeld(target.estimate);
+  sample.isValid = position.has_value() && isConfirmed(target.estimate);
   sample.position = position ? position->mean : Eigen::Vector3d::Zero();
   const auto place = std::ranges::lower_bound(track_, sample.frame, {}, &TrajectorySample::frame);
   shown_ = static_cast<std::size_t>(place - track_.begin());
@@ -54,8 +54,8 @@ std::optional<double> TargetSpeed::metersPerSecond() const {
   // Of a run that is faster than the screen not every frame is shown: that is no gap.
   std::int64_t number = 0;
   for (std::size_t k = 0; k < near.size(); ++k) {
-    const bool follows =
-        k == 0 || !trajectory::isInterrupted(track_[first + k - 1].frame, track_[first + k].frame);
+    const bool follows = k == 0 || !trajectory::isTrackInterrupted(track_[first + k - 1].frame,
+                                                                   track_[first + k].frame);
     number += follows ? 1 : 2;
     near[k].frame = number;
   }

@@ -47,9 +47,9 @@ private:
   std::int64_t next_ = 0;
 };
 
-bool hasStoredImage(const StoredSet& set) {
+bool hasStoredImage(const StoredFrameSet& set) {
   return std::ranges::any_of(set.images,
-                             [](const auto& image) { return image && image->number >= 0; });
+                             [](const auto& image) { return image && image->numberInVideo >= 0; });
 }
 
 std::vector<std::string_view> cellsOf(std::string_view line) {
@@ -82,7 +82,7 @@ std::optional<TimeStamp> timeIn(std::string_view cell) {
 }
 
 /// Nothing if the line is none of such a table.
-std::optional<StoredSet> setIn(std::string_view line, std::size_t cameras) {
+std::optional<StoredFrameSet> setIn(std::string_view line, std::size_t cameras) {
   const std::vector<std::string_view> cells = cellsOf(line);
   if (cells.size() != 2 + 2 * cameras) {
     return std::nullopt;
@@ -92,7 +92,7 @@ std::optional<StoredSet> setIn(std::string_view line, std::size_t cameras) {
   if (!index || !time) {
     return std::nullopt;
   }
-  StoredSet set{*index, *time, {}};
+  StoredFrameSet set{*index, *time, {}};
   for (std::size_t k = 2; k < cells.size(); k += 2) {
     if (cells[k].empty()) {
       set.images.emplace_back();
@@ -111,18 +111,19 @@ std::optional<StoredSet> setIn(std::string_view line, std::size_t cameras) {
 
 } // namespace
 
-std::vector<StoredSet> storedSets(const std::vector<LiveFrameRecord>& sets,
-                                  const std::vector<std::vector<std::int64_t>>& stamps) {
+std::vector<StoredFrameSet>
+locateStoredFrameSets(const std::vector<LiveFrameRecord>& sets,
+                      const std::vector<std::vector<std::int64_t>>& stamps) {
   std::vector<StampFinder> finders(stamps.begin(), stamps.end());
-  std::vector<StoredSet> stored;
+  std::vector<StoredFrameSet> stored;
   for (const LiveFrameRecord& set : sets) {
-    StoredSet& one = stored.emplace_back(StoredSet{set.index, set.time, {}});
+    StoredFrameSet& one = stored.emplace_back(StoredFrameSet{set.index, set.time, {}});
     for (std::size_t k = 0; k < finders.size(); ++k) {
       const bool hasImage = k < set.images.size() && set.images[k];
-      one.images.push_back(hasImage
-                               ? std::optional(StoredImage{finders[k].find(set.images[k]->stamp),
-                                                           set.images[k]->captureTime})
-                               : std::nullopt);
+      one.images.push_back(
+          hasImage ? std::optional(StoredImage{finders[k].find(set.images[k]->imageNumber),
+                                               set.images[k]->captureTime})
+                   : std::nullopt);
     }
   }
   while (!stored.empty() && !hasStoredImage(stored.back())) {
@@ -131,37 +132,38 @@ std::vector<StoredSet> storedSets(const std::vector<LiveFrameRecord>& sets,
   return stored;
 }
 
-std::string storedFrameSetsCsv(const std::vector<StoredSet>& sets) {
+std::string storedFrameSetsCsv(const std::vector<StoredFrameSet>& sets) {
   std::string text = "# Which images of the videos the live run tracked in each frame\n"
                      "frame,time_ns";
   for (std::size_t k = 0; !sets.empty() && k < sets.front().images.size(); ++k) {
     text += fmt::format(",image_{0},time_{0}_ns", k + 1);
   }
   text += '\n';
-  for (const StoredSet& set : sets) {
+  for (const StoredFrameSet& set : sets) {
     text += fmt::format("{},{}", set.index, set.time.count());
     for (const auto& image : set.images) {
       text += !image ? ",,"
-              : image->number < 0
+              : image->numberInVideo < 0
                   ? fmt::format(",{},{}", kLost, image->captureTime.count())
-                  : fmt::format(",{},{}", image->number, image->captureTime.count());
+                  : fmt::format(",{},{}", image->numberInVideo, image->captureTime.count());
     }
     text += '\n';
   }
   return text;
 }
 
-Status writeStoredSets(const std::vector<StoredSet>& sets, const std::filesystem::path& file) {
+Status writeStoredFrameSets(const std::vector<StoredFrameSet>& sets,
+                            const std::filesystem::path& file) {
   return writeTextFile(file, storedFrameSetsCsv(sets));
 }
 
-Result<std::vector<StoredSet>> readStoredSets(const std::filesystem::path& file,
-                                              std::size_t cameras) {
+Result<std::vector<StoredFrameSet>> readStoredFrameSets(const std::filesystem::path& file,
+                                                        std::size_t cameras) {
   const auto text = readTextFile(file);
   if (!text) {
     return tl::make_unexpected(text.error());
   }
-  std::vector<StoredSet> sets;
+  std::vector<StoredFrameSet> sets;
   int number = 0;
   std::string_view rest = *text;
   while (!rest.empty()) {

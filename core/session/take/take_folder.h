@@ -14,7 +14,7 @@ inline constexpr int kHighestTakeNumber = 99999;
 /// New folder of a take (a recording of all cameras).
 struct TakeFolder {
   std::filesystem::path path;
-  int number = 0; ///< number of the take, at least 1
+  int takeNumber = 0; ///< number of the take, at least 1
 };
 
 /// Creates the folder of a new take (take-001, take-002, ...) in `parent`. If `number` is not set,

@@ -52,13 +52,13 @@ Project recordedProject(Project project, const fs::path& folder, int number) {
     const std::string name = fileNameOf(camera.camera.name, used);
     camera.source = SourceKind::Video;
     camera.location = (folder / (name + ".mkv")).string();
-    camera.times = (folder / (name + ".csv")).string();
+    camera.captureTimeFile = (folder / (name + ".csv")).string();
   }
   project.name = fmt::format("{}{}take {}", project.name, project.name.empty() ? "" : ", ", number);
   project.framesPerSecond = 0.0; // that of the times
-  project.truth.reset();
+  project.truthFile.reset();
   project.markers.clear(); // they belong to frames of another recording
-  project.people.clear();
+  project.personCorrections.clear();
   project.corrections.clear();
   return project;
 }
@@ -84,7 +84,7 @@ Result<std::unique_ptr<TakeRecorder>> TakeRecorder::start(const Project& project
     return tl::make_unexpected(folder.error());
   }
   std::unique_ptr<TakeRecorder> take(
-      new TakeRecorder(project, folder->path, folder->number, options));
+      new TakeRecorder(project, folder->path, folder->takeNumber, options));
   const Clock::time_point zero = take->keepPreRoll(feeds);
   if (auto written = take->writeNotes(false); !written) {
     return tl::make_unexpected(written.error());
@@ -92,8 +92,8 @@ Result<std::unique_ptr<TakeRecorder>> TakeRecorder::start(const Project& project
   for (std::size_t k = 0; k < take->project_.cameras.size() && k < feeds.size(); ++k) {
     const ProjectCamera& camera = take->project_.cameras[k];
     take->recordings_.push_back(std::make_unique<StreamRecording>(
-        feeds[k], StreamFiles{camera.location, camera.times}, options.rawStorage, zero,
-        cameraField(camera.camera.name), take->begin_));
+        feeds[k], StreamFiles{camera.location, camera.captureTimeFile}, options.rawStorage, zero,
+        quotedCameraName(camera.camera.name), take->begin_));
   }
   take->watch_ =
       std::jthread([take = take.get()](const std::stop_token& stop) { take->watch(stop); });
@@ -141,7 +141,7 @@ void TakeRecorder::note(const Status& written) {
 void TakeRecorder::updateProject() {
   std::vector<bool> present(recordings_.size());
   for (std::size_t k = 0; k < recordings_.size(); ++k) {
-    present[k] = recordings_[k]->counts().images >= kEnoughImages;
+    present[k] = recordings_[k]->counts().imageCount >= kEnoughImages;
   }
   if (present == named_) {
     return;
@@ -154,7 +154,7 @@ void TakeRecorder::updateProject() {
     }
   }
   if (shown.cameras.size() < project_.cameras.size()) {
-    shown.points.clear(); // they name cameras by number
+    shown.measuredPoints.clear(); // they name cameras by number
   }
   const Status written = saveProject(shown, folder_ / "project.toml");
   note(written);
@@ -187,13 +187,13 @@ Status TakeRecorder::writeNotes(bool finished) const {
   for (const TakeStatus::CameraStatus& camera : now.cameras) {
     nlohmann::ordered_json& one = json["cameras"].emplace_back();
     one["name"] = camera.name;
-    one["video"] = camera.video;
-    one["images"] = camera.counts.images;
+    one["video"] = camera.videoFile;
+    one["images"] = camera.counts.imageCount;
     one["dropped"] = camera.counts.droppedImageCount;
-    one["images_changed"] = camera.counts.arePixelsChanged;
+    one["images_changed"] = camera.counts.hasChangedPixels;
     one["pre_roll_images"] = camera.counts.preRollImageCount;
     one["pre_roll_shortened"] = camera.preRoll.isShortened;
-    one["bytes"] = camera.counts.bytes;
+    one["bytes"] = camera.counts.byteCount;
     one["frames_per_second"] = camera.counts.framesPerSecond;
     one["time_origin"] = timeOriginName(camera.counts.origin);
     if (camera.counts.problem) {
@@ -208,9 +208,9 @@ Status TakeRecorder::writeNotes(bool finished) const {
 Status TakeRecorder::addLiveRun(const LiveRun& live) const {
   std::vector<std::vector<std::int64_t>> stamps;
   for (const auto& recording : recordings_) {
-    stamps.push_back(recording->stamps());
+    stamps.push_back(recording->imageStamps());
   }
-  const std::vector<StoredSet> sets = storedSets(live.sets, stamps);
+  const std::vector<StoredFrameSet> sets = locateStoredFrameSets(live.frameRecords, stamps);
   if (sets.empty() || live.trajectory.samples.empty()) {
     return {};
   }
@@ -222,8 +222,8 @@ Status TakeRecorder::addLiveRun(const LiveRun& live) const {
   }
   nlohmann::ordered_json settings;
   settings["other_settings"] = nlohmann::ordered_json::array();
-  for (const ResultRange& range : live.otherSettings) {
-    settings["other_settings"].push_back({range.first, range.last});
+  for (const ResultRange& range : live.framesWithOtherSettings) {
+    settings["other_settings"].push_back({range.firstFrame, range.lastFrame});
   }
   return writeTrajectory(live.trajectory, folder / "trajectory.csv")
       .and_then([&] { return writeTextFile(folder / "run.json", live.report); })
@@ -231,12 +231,12 @@ Status TakeRecorder::addLiveRun(const LiveRun& live) const {
       .and_then([&] {
         return saveProject(recordedProject(live.project, folder_, number_), folder_ / kLiveProject);
       })
-      .and_then([&] { return writeStoredSets(sets, folder / "frames.csv"); });
+      .and_then([&] { return writeStoredFrameSets(sets, folder / "frames.csv"); });
 }
 
 TakeStatus TakeRecorder::status() const {
   TakeStatus status;
-  status.number = number_;
+  status.takeNumber = number_;
   status.folder = folder_;
   status.preRollSeconds = preRoll_;
   for (std::size_t k = 0; k < recordings_.size(); ++k) {

@@ -31,12 +31,12 @@ struct TakeOptions {
 struct TakeStatus {
   struct CameraStatus {
     std::string name;
-    std::string video; ///< file name of the video in the folder
+    std::string videoFile; ///< file name of the video in the folder
     RecordedCounts counts;
     PreRollStatus preRoll; ///< images kept from before the start of the take
   };
 
-  int number = 0; ///< number of the take, at least 1
+  int takeNumber = 0; ///< number of the take, at least 1
   std::filesystem::path folder;
   std::string notes;
   double durationSeconds = 0.0; ///< time since the start, or the duration of a take that has ended

@@ -37,29 +37,29 @@ public:
     for (const ProjectCamera& camera : project.cameras) {
       const Intrinsics& size = camera.camera.intrinsics;
       cameras_.push_back({{camera.camera.name, camera.rotateDegrees, size.width, size.height,
-                           camera.mirrored, camera.crop},
+                           camera.isMirrored, camera.crop},
                           camera.location,
                           std::nullopt});
     }
   }
 
   /// The images of a frame. Those that the take does not have are missing.
-  Result<FrameSetPtr> read(const StoredSet& stored) {
+  Result<FrameSetPtr> read(const StoredFrameSet& stored) {
     auto set = std::make_shared<FrameSet>();
     set->index = stored.index;
     set->time = stored.time;
     set->frames.resize(cameras_.size());
     for (std::size_t k = 0; k < cameras_.size(); ++k) {
       const auto& image = stored.images[k];
-      if (!image || image->number < 0) {
+      if (!image || image->numberInVideo < 0) {
         continue;
       }
-      auto picture = readImage(cameras_[k], image->number);
+      auto picture = readImage(cameras_[k], image->numberInVideo);
       if (!picture) {
         return tl::make_unexpected(picture.error());
       }
       set->frames[k] = std::make_shared<const Frame>(
-          Frame{image->number, image->captureTime, std::move(*picture)});
+          Frame{image->numberInVideo, image->captureTime, std::move(*picture)});
     }
     return set;
   }
@@ -73,7 +73,7 @@ private:
 
   static Result<cv::Mat> readImage(StoredCamera& camera, std::int64_t number) {
     if (!camera.stream) {
-      auto opened = StoredStream::open(camera.file, cameraField(camera.shape.camera));
+      auto opened = StoredStream::open(camera.file, quotedCameraName(camera.shape.cameraName));
       if (!opened) {
         return tl::make_unexpected(opened.error());
       }
@@ -92,10 +92,10 @@ bool isSameNumber(double a, double b) {
 
 /// Files contain the upper half of a covariance.
 bool isSameEstimate(const TrajectorySample& a, const TrajectorySample& b) {
-  bool same = a.valid == b.valid && a.cameraCount == b.cameraCount &&
+  bool same = a.isValid == b.isValid && a.cameraCount == b.cameraCount &&
               isSameNumber(a.time, b.time) &&
               isSameNumber(a.effectiveSampleSize, b.effectiveSampleSize);
-  for (int row = 0; row < 3 && a.valid; ++row) {
+  for (int row = 0; row < 3 && a.isValid; ++row) {
     same = same && isSameNumber(a.position[row], b.position[row]);
     for (int column = row; column < 3; ++column) {
       same = same && isSameNumber(a.covariance(row, column), b.covariance(row, column));
@@ -120,9 +120,10 @@ bool isSameFrame(std::int64_t frame, const std::vector<TrajectorySample>& again,
       continue;
     }
     same = same && isSameEstimate(before->second, sample);
-    if (before->second.valid && sample.valid) {
-      comparison.largestDistance =
-          std::max(comparison.largestDistance, (before->second.position - sample.position).norm());
+    if (before->second.isValid && sample.isValid) {
+      comparison.largestPositionDifference =
+          std::max(
+          comparison.largestPositionDifference, (before->second.position - sample.position).norm());
     }
   }
   return same;
@@ -185,7 +186,7 @@ Status readNotes(const fs::path& take, ReplayComparison& comparison) {
     const auto first = frameIn(one[0]);
     const auto last = frameIn(one[1]);
     if (first && last) {
-      comparison.otherSettings.push_back({*first, *last});
+      comparison.framesWithOtherSettings.push_back({*first, *last});
     }
     return first && last;
   };
@@ -202,25 +203,25 @@ bool hasTimeBudget(const ParameterValues& parameters) {
 }
 
 /// Counts the frames that cannot be as they were.
-void countIncomplete(const std::vector<StoredSet>& sets, ReplayComparison& comparison) {
+void countIncomplete(const std::vector<StoredFrameSet>& sets, ReplayComparison& comparison) {
   bool hasBegun = false;
-  for (const StoredSet& set : sets) {
-    const auto isLost = [](const auto& image) { return image && image->number < 0; };
-    const auto isThere = [](const auto& image) { return image && image->number >= 0; };
+  for (const StoredFrameSet& set : sets) {
+    const auto isLost = [](const auto& image) { return image && image->numberInVideo < 0; };
+    const auto isThere = [](const auto& image) { return image && image->numberInVideo >= 0; };
     hasBegun = hasBegun || std::ranges::any_of(set.images, isThere);
     if (!hasBegun) {
-      ++comparison.framesBeforeTake;
+      ++comparison.frameCountBeforeTake;
       continue;
     }
-    ++comparison.liveFrames;
+    ++comparison.liveFrameCount;
     if (std::ranges::any_of(set.images, isLost)) {
-      ++comparison.incompleteFrames;
+      ++comparison.incompleteFrameCount;
       comparison.firstIncompleteFrame = comparison.firstIncompleteFrame.value_or(set.index);
     }
   }
 }
 
-Status replaySets(const Project& project, const std::vector<StoredSet>& sets,
+Status replaySets(const Project& project, const std::vector<StoredFrameSet>& sets,
                   const SamplesByFrame& live, int threads, const ReplayProgress& progress,
                   ReplayComparison& comparison) {
   auto background = loadBackgroundImages(project);
@@ -232,8 +233,8 @@ Status replaySets(const Project& project, const std::vector<StoredSet>& sets,
     return tl::make_unexpected(run.error());
   }
   StoredSets images(project);
-  for (const StoredSet& set : sets) {
-    if (!progress(comparison.comparedFrames, comparison.liveFrames)) {
+  for (const StoredFrameSet& set : sets) {
+    if (!progress(comparison.comparedFrameCount, comparison.liveFrameCount)) {
       return failure(ErrorCode::Canceled, "", "", "");
     }
     auto frames = images.read(set);
@@ -247,9 +248,9 @@ Status replaySets(const Project& project, const std::vector<StoredSet>& sets,
       }
       same = isSameFrame(set.index, run->samples(), live, comparison);
     }
-    ++comparison.comparedFrames;
+    ++comparison.comparedFrameCount;
     if (!same) {
-      ++comparison.differingFrames;
+      ++comparison.differingFrameCount;
       comparison.firstDifferingFrame = comparison.firstDifferingFrame.value_or(set.index);
     }
   }
@@ -281,7 +282,7 @@ Result<ReplayComparison> compareReplay(const fs::path& take, int threads,
   if (const Status checked = checkMethodTargets(*project); !checked) {
     return tl::make_unexpected(checked.error());
   }
-  const auto sets = readStoredSets(folder / "frames.csv", project->cameras.size());
+  const auto sets = readStoredFrameSets(folder / "frames.csv", project->cameras.size());
   if (!sets) {
     return tl::make_unexpected(sets.error());
   }
@@ -295,7 +296,7 @@ Result<ReplayComparison> compareReplay(const fs::path& take, int threads,
   }
   comparison.hasTimeBudget = hasTimeBudget(project->parameters);
   countIncomplete(*sets, comparison);
-  if (comparison.framesBeforeTake == 0) {
+  if (comparison.frameCountBeforeTake == 0) {
     if (const Status tracked = replaySets(*project, *sets, live, threads, progress, comparison);
         !tracked) {
       return tl::make_unexpected(tracked.error());
@@ -306,28 +307,28 @@ Result<ReplayComparison> compareReplay(const fs::path& take, int threads,
 
 std::vector<std::string> describeReplay(const ReplayComparison& found) {
   std::vector<std::string> lines;
-  if (found.framesBeforeTake > 0) {
+  if (found.frameCountBeforeTake > 0) {
     lines.push_back(fmt::format("The run began {} frames before the take, so it cannot be tracked "
                                 "again from its beginning.",
-                                found.framesBeforeTake));
-  } else if (found.isSame()) {
-    lines.push_back(fmt::format("Same in all {} frames, to the last bit.", found.liveFrames));
-  } else if (found.differingFrames > 0) {
+                                found.frameCountBeforeTake));
+  } else if (found.isBitIdentical()) {
+    lines.push_back(fmt::format("Same in all {} frames, to the last bit.", found.liveFrameCount));
+  } else if (found.differingFrameCount > 0) {
     lines.push_back(fmt::format("{} of {} frames differ, the first one is frame {}; positions "
                                 "differ by up to {:.3g} mm.",
-                                found.differingFrames, found.liveFrames,
+                                found.differingFrameCount, found.liveFrameCount,
                                 *found.firstDifferingFrame + 1,
-                                inMillimeters(found.largestDistance)));
+                                inMillimeters(found.largestPositionDifference)));
   } else {
     lines.emplace_back("No frame was tracked.");
   }
-  if (found.incompleteFrames > 0) {
+  if (found.incompleteFrameCount > 0) {
     lines.push_back(fmt::format("Images of {} frames are not in the take, the first of frame {}.",
-                                found.incompleteFrames, *found.firstIncompleteFrame + 1));
+                                found.incompleteFrameCount, *found.firstIncompleteFrame + 1));
   }
-  for (const ResultRange& range : found.otherSettings) {
+  for (const ResultRange& range : found.framesWithOtherSettings) {
     lines.push_back(fmt::format("Frames {} to {} were tracked with other settings.",
-                                range.first + 1, range.last + 1));
+                                range.firstFrame + 1, range.lastFrame + 1));
   }
   if (found.hasTimeBudget) {
     lines.emplace_back("A time budget is set: results depend on the speed of the computer.");

@@ -16,27 +16,29 @@ namespace dewpoint::session {
 /// Comparison of the live trajectory of a take with the trajectory obtained by tracking its
 /// recorded images again, with the same seed and settings.
 struct ReplayComparison {
-  std::int64_t liveFrames = 0; ///< number of frames of the live run that are in the take
+  std::int64_t liveFrameCount = 0; ///< number of frames of the live run that are in the take
   /// Number of live frames before the first one whose images are in the take. If it is not 0,
   /// nothing is compared, because tracking depends on all frames since the start of the run.
-  std::int64_t framesBeforeTake = 0;
-  std::int64_t comparedFrames = 0; ///< frames that were tracked again and compared
+  std::int64_t frameCountBeforeTake = 0;
+  std::int64_t comparedFrameCount = 0; ///< frames that were tracked again and compared
   /// Compared frames in which the estimate of at least one target differs.
-  std::int64_t differingFrames = 0;
+  std::int64_t differingFrameCount = 0;
   std::optional<std::int64_t> firstDifferingFrame; ///< number of the first differing frame
-  double largestDistance = 0.0; ///< largest distance between the two positions of a target, meters
-  std::int64_t incompleteFrames = 0; ///< frames that lack an image in the take
+  double largestPositionDifference =
+      0.0; ///< largest distance between the two positions of a target, meters
+  std::int64_t incompleteFrameCount = 0; ///< frames that lack an image in the take
   std::optional<std::int64_t> firstIncompleteFrame;
-  std::vector<ResultRange> otherSettings; ///< frames whose live results came from earlier settings
+  std::vector<ResultRange>
+      framesWithOtherSettings; ///< frames whose live results came from earlier settings
   /// True if iterations had a time budget, so that results depend on the computer's speed.
   bool hasTimeBudget = false;
   /// Names of cameras that send uncompressed images, which are stored with slightly other colors.
   std::vector<std::string> changedCameras;
 
   /// Returns whether all frames were compared and their results are bit-identical.
-  bool isSame() const {
-    return comparedFrames > 0 && comparedFrames == liveFrames && differingFrames == 0 &&
-           framesBeforeTake == 0;
+  bool isBitIdentical() const {
+    return comparedFrameCount > 0 && comparedFrameCount == liveFrameCount &&
+           differingFrameCount == 0 && frameCountBeforeTake == 0;
   }
 };
 

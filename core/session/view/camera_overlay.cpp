@@ -66,7 +66,7 @@ void addBox(const BoxEstimate& estimate, const BoxParticles& particles, CameraOv
     overlay.weights.push_back(largest > 0.0F ? particles.weights(i) / largest : 0.0F);
   }
   overlay.box = estimate.box;
-  overlay.isBoxHidden = !isHeld(estimate);
+  overlay.isBoxHidden = !isConfirmed(estimate);
 }
 
 /// Every how many of its particles one is shown, so that one image has no more than a person can

@@ -10,13 +10,13 @@
 
 namespace dewpoint::session {
 
-/// Ellipse in an image, in pixels. `angle` is the direction of the major axis in radians, measured
-/// from the x axis (to the right) toward the y axis (down).
+/// Ellipse in an image, in pixels. `angleRadians` is the direction of the major axis in radians,
+/// measured from the x axis (to the right) toward the y axis (down).
 struct ImageEllipse {
   Eigen::Vector2d center;
-  double semiMajor = 0.0;
-  double semiMinor = 0.0;
-  double angle = 0.0;
+  double semiMajorAxis = 0.0;
+  double semiMinorAxis = 0.0;
+  double angleRadians = 0.0;
 };
 
 /// Projection of one target into the image of one camera, in pixels.

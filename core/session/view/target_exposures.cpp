@@ -28,7 +28,7 @@ constexpr double kSameObjectDistance = 5.0;
 
 /// Whether the camera itself sees the target at its estimate.
 bool isConfirmedBy(const TargetSnapshot& target, std::size_t camera) {
-  if (!isHeld(target.estimate)) {
+  if (!isConfirmed(target.estimate)) {
     return false;
   }
   if (camera < target.cameraReports.size()) {
@@ -37,7 +37,7 @@ bool isConfirmedBy(const TargetSnapshot& target, std::size_t camera) {
   const auto& evidence = cameraEvidenceOf(target.estimate);
   constexpr double kMostlyVisible = 0.5;
   return camera >= evidence.size() ||
-         (evidence[camera].inView && evidence[camera].visible >= kMostlyVisible);
+         (evidence[camera].isInView && evidence[camera].visibleShare >= kMostlyVisible);
 }
 
 std::optional<ImageEllipse> outlineOfBall(const Camera& camera, const SphereEstimate& ball,
@@ -79,7 +79,7 @@ std::optional<ImageEllipse> outlineInView(const TrackSnapshot& snapshot, int cam
 
 /// The pixels inside an ellipse, as far as the image shows it.
 TargetExposure exposureInside(const cv::Mat& image, const ImageEllipse& outline) {
-  const double reach = kMeasuredShare * std::max(outline.semiMajor, outline.semiMinor);
+  const double reach = kMeasuredShare * std::max(outline.semiMajorAxis, outline.semiMinorAxis);
   if (!outline.center.allFinite() || !(reach < 4.0 * (image.cols + image.rows))) {
     return {};
   }
@@ -95,9 +95,9 @@ TargetExposure exposureInside(const cv::Mat& image, const ImageEllipse& outline)
   cv::ellipse(
       mask,
       cv::RotatedRect(cv::Point2f(static_cast<float>(center.x()), static_cast<float>(center.y())),
-                      cv::Size2f(static_cast<float>(2.0 * kMeasuredShare * outline.semiMajor),
-                                 static_cast<float>(2.0 * kMeasuredShare * outline.semiMinor)),
-                      static_cast<float>(inDegrees(outline.angle))),
+                      cv::Size2f(static_cast<float>(2.0 * kMeasuredShare * outline.semiMajorAxis),
+                                 static_cast<float>(2.0 * kMeasuredShare * outline.semiMinorAxis)),
+                      static_cast<float>(inDegrees(outline.angleRadians))),
       cv::Scalar(255), cv::FILLED);
   return exposureOf(image(area), mask);
 }
@@ -142,7 +142,7 @@ std::vector<ExposureInView> exposuresInView(const TrackSnapshot& snapshot, int c
       view.exposure = exposureInside(image, *outline);
     } else {
       const auto isHere = [&](const ColorSample& sample) {
-        return sample.camera == camera && !sample.excluded;
+        return sample.camera == camera && !sample.isExcluded;
       };
       const auto& samples = target.target.samples;
       const auto newest = std::ranges::find_if(samples.rbegin(), samples.rend(), isHere);

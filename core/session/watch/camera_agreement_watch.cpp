@@ -7,7 +7,7 @@
 
 namespace dewpoint::session {
 
-Status CameraAgreementWatch::tracked(const TrackingRun& run) {
+Status CameraAgreementWatch::onFrameTracked(const TrackingRun& run) {
   const MethodFamily family = run.definition()->family();
   if (family.needsCalibration && family.hasColorMasks() && !paused_) {
     agreement_.watch(*run.frames(), run.targets());
@@ -20,7 +20,7 @@ CameraAgreementWatch::disagreements(const MethodFamily& family) const {
   if (!family.needsCalibration) {
     return {};
   }
-  std::vector<CameraDisagreement> found = agreement_.found();
+  std::vector<CameraDisagreement> found = agreement_.disagreements();
   std::erase_if(found, [this](const CameraDisagreement& one) {
     const bool mayBeMotion = one.fault == CameraFault::Rotated || one.fault == CameraFault::Unknown;
     return mayBeMotion && std::ranges::any_of(motion_.reports(), [&](const auto& report) {

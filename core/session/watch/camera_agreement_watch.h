@@ -18,10 +18,10 @@ public:
   CameraAgreementWatch(const CameraRig& rig, const CameraMotionWatch& motion)
       : agreement_(rig), motion_(motion) {}
 
-  Status tracked(const TrackingRun& run) override;
+  Status onFrameTracked(const TrackingRun& run) override;
 
-  /// Returns the faults of the cameras found so far (CameraAgreement::found()); none for a method
-  /// that needs no calibration.
+  /// Returns the faults of the cameras found so far (CameraAgreement::disagreements()); none for a
+  /// method that needs no calibration.
   std::vector<CameraDisagreement> disagreements(const MethodFamily& family) const;
 
   /// Replaces the calibrations of the cameras and starts the assessment from scratch.

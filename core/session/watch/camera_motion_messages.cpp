@@ -19,7 +19,7 @@ CameraMotionMessages::update(const std::vector<CameraMotionReport>& reports, dou
   NewMessages news;
   if (reports.size() < count_) {
     reported_.clear();
-    news.withdrawsEarlier = true;
+    news.withdrawsEarlierMessages = true;
   }
   count_ = reports.size();
   for (const CameraMotionReport& report : reports) {
@@ -31,7 +31,7 @@ CameraMotionMessages::update(const std::vector<CameraMotionReport>& reports, dou
         stage == CameraMotionStage::Waiting || stage == CameraMotionStage::Unsolvable;
     if (!(worse && reported_.contains(key(CameraMotionStage::Solved))) &&
         reported_.insert(key(stage)).second) {
-      news.items.push_back({report, stage});
+      news.messages.push_back({report, stage});
     }
   }
   return news;

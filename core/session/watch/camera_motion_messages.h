@@ -32,13 +32,13 @@ CameraMotionStage stageOf(const CameraMotionReport& report, double now);
 /// the earlier messages are withdrawn and the remaining motions are reported again.
 class CameraMotionMessages {
 public:
-  struct Item {
+  struct Message {
     CameraMotionReport report;
     CameraMotionStage stage = CameraMotionStage::Waiting;
   };
   struct NewMessages {
-    bool withdrawsEarlier = false; ///< earlier messages no longer apply
-    std::vector<Item> items;
+    bool withdrawsEarlierMessages = false; ///< earlier messages no longer apply
+    std::vector<Message> messages;
   };
 
   /// Returns the messages that are new in a frame. `reports` are the frame's reports of all moved

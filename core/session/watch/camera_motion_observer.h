@@ -13,7 +13,7 @@ public:
   /// Creates an observer that passes frames to `watch`, which must outlive this object.
   explicit CameraMotionObserver(CameraMotionWatch& watch) : watch_(watch) {}
 
-  Status tracked(const TrackingRun& run) override {
+  Status onFrameTracked(const TrackingRun& run) override {
     if (run.definition()->family().needsCalibration) {
       watch_.watch(*run.frames(), run.targets(), spheresOf(run.estimates()));
     }

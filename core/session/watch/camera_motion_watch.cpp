@@ -29,7 +29,7 @@ Result<MovedCameraPose> estimatePoseAfterMotion(const Camera& camera, const Came
                                                 double since) {
   std::vector<PointSighting> points;
   for (const ReprojectionResidual& one : sightings) {
-    if (one.time >= since) {
+    if (one.captureTime >= since) {
       points.push_back({one.world, one.pixel, kSightingSigma});
     }
   }
@@ -63,7 +63,7 @@ void CameraMotionWatch::setCameras(const CameraRig& rig) {
       const auto moved = std::ranges::find_if(
           reports_, [&](const CameraMotionReport& one) { return one.event.camera == k; });
       solvedAt_[k] = moved != reports_.end() ? std::optional(moved->event.frame) : std::nullopt;
-      detector_.accept(k, rig[k]);
+      detector_.acceptMovedCamera(k, rig[k]);
       std::erase_if(reports_,
                     [&](const CameraMotionReport& report) { return report.event.camera == k; });
     }
@@ -77,7 +77,7 @@ void CameraMotionWatch::setPaused(bool paused) {
     for (std::size_t k = 0; k < rig_.size(); ++k) {
       if (std::ranges::none_of(
               reports_, [&](const CameraMotionReport& one) { return one.event.camera == k; })) {
-        detector_.accept(k, rig_[k]);
+        detector_.acceptMovedCamera(k, rig_[k]);
       }
     }
   }
@@ -104,7 +104,7 @@ void CameraMotionWatch::watch(const FrameSet& frames, const std::vector<Target>&
   for (; eventsSeen_ < detector_.events().size(); ++eventsSeen_) {
     const auto event = detector_.events()[eventsSeen_];
     if (isSolved(event)) {
-      detector_.accept(event.camera, rig_[event.camera]);
+      detector_.acceptMovedCamera(event.camera, rig_[event.camera]);
     } else {
       reports_.emplace_back().event = event;
     }
@@ -121,14 +121,14 @@ void CameraMotionWatch::watch(const FrameSet& frames, const std::vector<Target>&
 void CameraMotionWatch::update(CameraMotionReport& report, double time) {
   const std::size_t camera = report.event.camera;
   const double since = seconds(report.event.time) + kSettled;
-  report.isBackInPose = !detector_.camera(camera).moved;
-  if (const auto now = sightings_.summary(camera, time - kWindow, kFewest)) {
+  report.isBackInPose = !detector_.camera(camera).hasMoved;
+  if (const auto now = sightings_.summarize(camera, time - kWindow, kFewest)) {
     report.targetDistancePx = now->residual.norm();
   }
-  const CameraRotation& turn = detector_.camera(camera).turn;
+  const CameraRotation& turn = detector_.camera(camera).rotation;
   // With two cameras the estimate leans on the moved one too: the background alone is better.
   const auto& sightings =
-      rig_.size() < 3 ? std::deque<ReprojectionResidual>() : sightings_.sightings(camera);
+      rig_.size() < 3 ? std::deque<ReprojectionResidual>() : sightings_.residuals(camera);
   const auto solved = estimatePoseAfterMotion(rig_[camera], turn, sightings, since);
   report.newPose = solved && !report.isBackInPose ? std::optional(*solved) : std::nullopt;
 }
@@ -136,7 +136,7 @@ void CameraMotionWatch::update(CameraMotionReport& report, double time) {
 std::vector<Error> CameraMotionWatch::notices() const {
   std::vector<Error> notices;
   for (const CameraMotionReport& report : reports_) {
-    const double degrees = inDegrees(report.event.turn.turn.norm());
+    const double degrees = inDegrees(report.event.rotation.turn.norm());
     notices.push_back(
         {ErrorCode::Mismatch, "", rig_[report.event.camera].name,
          fmt::format("the camera was rotated by {:.2f} degrees in frame {}; calibrate it again",

@@ -17,7 +17,7 @@ void exchange(int& camera, int a, int b) {
 }
 
 void exchangeClicks(Project& project, int a, int b) {
-  for (MeasuredPoint& point : project.points) {
+  for (MeasuredPoint& point : project.measuredPoints) {
     for (PointClick& click : point.clicks) {
       exchange(click.camera, a, b);
     }
@@ -27,7 +27,7 @@ void exchangeClicks(Project& project, int a, int b) {
       exchange(click.camera, a, b);
     }
   }
-  for (PersonCorrection& person : project.people) {
+  for (PersonCorrection& person : project.personCorrections) {
     if (person.click) {
       exchange(person.click->camera, a, b);
     }
@@ -48,8 +48,8 @@ void exchangeImages(Project& project, std::size_t a, std::size_t b) {
   if (first.source == SourceKind::Simulation) {
     std::swap(first.camera, second.camera);
     std::swap(first.camera.name, second.camera.name); // the views keep theirs
-    first.markAdjusted();
-    second.markAdjusted();
+    first.markCalibrationChanged();
+    second.markCalibrationChanged();
     return;
   }
   std::swap(first, second);
@@ -68,7 +68,7 @@ std::size_t repairChoiceCount(const CameraDisagreement& found) {
   case CameraFault::Unit:
     return 1;
   case CameraFault::Rotated:
-    return found.turns.size();
+    return found.rotationCorrections.size();
   case CameraFault::SamePose:
   case CameraFault::Unknown:
     break;
@@ -89,14 +89,14 @@ void repairCameras(Project& project, const CameraDisagreement& found, std::size_
   }
   case CameraFault::Rotated: {
     ProjectCamera& camera = project.cameras.at(found.cameras[choice]);
-    camera.camera = rotatedCamera(camera.camera, found.turns[choice]);
-    camera.markAdjusted();
+    camera.camera = rotatedCamera(camera.camera, found.rotationCorrections[choice]);
+    camera.markCalibrationChanged();
     break;
   }
   case CameraFault::Unit:
     for (ProjectCamera& camera : project.cameras) {
-      camera.camera.cameraFromWorld.translation() *= found.scale;
-      camera.markAdjusted();
+      camera.camera.cameraFromWorld.translation() *= found.metersPerUnit;
+      camera.markCalibrationChanged();
     }
     break;
   case CameraFault::SamePose:

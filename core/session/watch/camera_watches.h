@@ -14,12 +14,13 @@ public:
   CameraWatches(const CameraWatches&) = delete;
   CameraWatches& operator=(const CameraWatches&) = delete;
 
-  Status tracked(const TrackingRun& run) override {
-    return motionObserver_.tracked(run).and_then([&] { return agreement_.tracked(run); });
+  Status onFrameTracked(const TrackingRun& run) override {
+    return motionObserver_.onFrameTracked(run).and_then(
+        [&] { return agreement_.onFrameTracked(run); });
   }
 
-  const CameraMotionWatch& motion() const { return motion_; }
-  const CameraAgreementWatch& agreement() const { return agreement_; }
+  const CameraMotionWatch& motionWatch() const { return motion_; }
+  const CameraAgreementWatch& agreementWatch() const { return agreement_; }
   /// Replaces the calibrations of the cameras.
   void setCameras(const CameraRig& rig) {
     motion_.setCameras(rig);

@@ -20,13 +20,14 @@ Error named(Error error, const std::string& camera) {
 /// The board that was seen instead of the requested one, as the error of a calibration.
 tl::unexpected<Error> otherBoardError(const BoardDetections& seen,
                                       const BoardDescription& requested) {
-  return failure(ErrorCode::NotFound, "", boardText(requested), proposalText(*seen.otherBoard));
+  return failure(ErrorCode::NotFound, "", boardText(requested),
+                 guessAdviceSentence(*seen.otherBoard));
 }
 
 /// Appends what a few images show instead, if anything.
 Error withOtherBoard(Error error, const BoardGuess* other) {
   if (other != nullptr) {
-    error.detail += "; " + proposalText(*other);
+    error.detail += "; " + guessAdviceSentence(*other);
   }
   return error;
 }
@@ -35,18 +36,19 @@ Result<IntrinsicsResult> lensOf(const BoardDetections::PerCamera& camera,
                                 const BoardCalibrationRequest& request,
                                 const CalibrationProgress& progress) {
   if (camera.views.empty()) {
-    std::string text = fmt::format("it never saw the board in {} images", camera.searchedImages);
+    std::string text =
+        fmt::format("it never saw the board in {} images", camera.searchedImageCount);
     if (hasExplainedMiss(camera)) {
-      text += "; " + missedText(camera);
+      text += "; " + missedImagesText(camera);
     }
     return failure(ErrorCode::Undetermined, "", "", std::move(text));
   }
   IntrinsicsRequest lensRequest;
   lensRequest.board = request.board;
-  lensRequest.views =
-      chooseViews(request.board, camera.views, camera.width, camera.height, request.maxViews);
-  lensRequest.width = camera.width;
-  lensRequest.height = camera.height;
+  lensRequest.views = chooseViews(request.board, camera.views, camera.imageWidth,
+                                  camera.imageHeight, request.maxViews);
+  lensRequest.width = camera.imageWidth;
+  lensRequest.height = camera.imageHeight;
   lensRequest.model = request.model;
   lensRequest.pixelShape = request.pixelShape;
   return calibrateIntrinsics(lensRequest, progress);
@@ -79,12 +81,12 @@ void addUnusedCameras(const Project& project, const BoardDetections& seen,
   }
   for (std::size_t i = 0; i < taking.size(); ++i) {
     cameras[taking[i]] = result.cameras[i];
-    fits[taking[i]] = std::move(result.fits[i]);
+    fits[taking[i]] = std::move(result.cameraFits[i]);
   }
   for (const auto& camera : seen.cameras) {
     if (camera.otherBoard) {
       result.notices.push_back(
-          fmt::format("'{}': {}", camera.name, proposalText(*camera.otherBoard)));
+          fmt::format("'{}': {}", camera.name, guessAdviceSentence(*camera.otherBoard)));
     }
   }
   for (std::size_t k = 0; k < cameras.size(); ++k) {
@@ -102,7 +104,7 @@ void addUnusedCameras(const Project& project, const BoardDetections& seen,
     }
   }
   result.cameras = std::move(cameras);
-  result.fits = std::move(fits);
+  result.cameraFits = std::move(fits);
 }
 
 } // namespace
@@ -123,15 +125,15 @@ Result<LensesFromBoards> intrinsicsFromBoards(const BoardDetections& seen,
     if (!result) {
       result.error() = withOtherBoard(std::move(result.error()), seen.otherBoardSeenBy(camera));
       first = first.value_or(named(result.error(), camera.name));
-      lenses.keptIntrinsics.push_back(result.error());
-      lenses.keptIntrinsics.back().field = camera.name;
+      lenses.keptIntrinsicsReasons.push_back(result.error());
+      lenses.keptIntrinsicsReasons.back().field = camera.name;
       lenses.cameras.emplace_back();
       continue;
     }
     result->camera.name = camera.name;
     lenses.cameras.emplace_back(std::move(*result));
   }
-  if (first && lenses.keptIntrinsics.size() == lenses.cameras.size()) {
+  if (first && lenses.keptIntrinsicsReasons.size() == lenses.cameras.size()) {
     return tl::make_unexpected(*first);
   }
   return lenses;
@@ -148,27 +150,27 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Boar
   std::vector<int> widths;
   for (const std::size_t k : taking) {
     views.push_back(seen.cameras[k].views);
-    widths.push_back(seen.cameras[k].width);
+    widths.push_back(seen.cameras[k].imageWidth);
   }
   const auto chosen = chooseInstants(views, widths, request.maxInstants, request.floorFrame);
   ExtrinsicsRequest rigRequest;
   rigRequest.board = request.board;
-  rigRequest.worldInstant = request.floorFrame;
-  rigRequest.refineIntrinsics = request.refineIntrinsics;
+  rigRequest.worldDefiningInstant = request.floorFrame;
+  rigRequest.refinesIntrinsics = request.refinesIntrinsics;
   for (std::size_t i = 0; i < taking.size(); ++i) {
     const auto& in = project.cameras[taking[i]].camera.intrinsics;
     const auto& camera = seen.cameras[taking[i]];
-    if (!chosen[i].empty() && (in.width != camera.width || in.height != camera.height)) {
-      const bool isRotated = in.width == camera.height && in.height == camera.width;
+    if (!chosen[i].empty() && (in.width != camera.imageWidth || in.height != camera.imageHeight)) {
+      const bool isRotated = in.width == camera.imageHeight && in.height == camera.imageWidth;
       return failure(ErrorCode::Mismatch, project.file.string(), camera.name,
                      fmt::format("its images have {} x {} pixels, its calibration {} x {}{}",
-                                 camera.width, camera.height, in.width, in.height,
+                                 camera.imageWidth, camera.imageHeight, in.width, in.height,
                                  isRotated ? "; its video is probably rotated by 90 degrees: set "
                                              "rotate = 90 or 270 for this camera"
                                            : ""));
     }
     const ProjectCamera& given = project.cameras[taking[i]];
-    const auto& lens = given.calibrated.lens;
+    const auto& lens = given.calibrationRecord.lens;
     rigRequest.cameras.push_back(
         {given.camera, chosen[i],
          lens && describes(*lens, given.camera) ? lens->error : std::nullopt});
@@ -212,7 +214,7 @@ BoardReport reportOf(const BoardDetections& seen, const BoardCalibrationRequest&
   }
   report.title = fmt::format("Intrinsics of {} camera{} from a board", report.cameras.size(),
                              report.cameras.size() == 1 ? "" : "s");
-  for (const Error& kept : lenses.keptIntrinsics) {
+  for (const Error& kept : lenses.keptIntrinsicsReasons) {
     report.notices.push_back(keptIntrinsicsText(kept));
   }
   return report;

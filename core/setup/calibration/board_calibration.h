@@ -14,13 +14,13 @@
 namespace dewpoint::setup {
 
 /// Intrinsics estimated from views of a board. If the intrinsics of a camera were not estimated,
-/// `keptIntrinsics` contains the reason.
+/// `keptIntrinsicsReasons` contains the reason.
 struct LensesFromBoards {
   /// Result for each camera; empty: the camera keeps its intrinsics.
   std::vector<std::optional<IntrinsicsResult>> cameras;
   /// For each camera that keeps its intrinsics, an error with the name of the camera (Error::field)
   /// and the reason.
-  std::vector<Error> keptIntrinsics;
+  std::vector<Error> keptIntrinsicsReasons;
 };
 
 /// Estimates the intrinsics of each camera in `seen` from views chosen by chooseViews(). A camera

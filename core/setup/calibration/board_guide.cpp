@@ -64,7 +64,7 @@ BoardGuide::Detections BoardGuide::detectIn(const FrameSet& frames) {
   for (std::size_t k = 0; k < found.size(); ++k) {
     state_.cameras[k].detection = found[k];
     state_.cameras[k].outline = found[k] ? outlineOf(*found[k]) : BoardGuideState::Outline();
-    seen_.cameras[k].searchedImages +=
+    seen_.cameras[k].searchedImageCount +=
         k < frames.frames.size() && frames.frames[k] != nullptr ? 1 : 0;
   }
   return found;
@@ -75,12 +75,13 @@ void BoardGuide::begin(const FrameSet& frames) {
   for (std::size_t k = 0; k < state_.cameras.size(); ++k) {
     const FramePtr frame = k < frames.frames.size() ? frames.frames[k] : nullptr;
     auto& camera = state_.cameras[k];
-    if (frame != nullptr && camera.width == 0) {
-      camera.width = frame->image.cols;
-      camera.height = frame->image.rows;
-      seen_.cameras[k].width = camera.width;
-      seen_.cameras[k].height = camera.height;
-      lenses_[k].emplace(request_.board.board, camera.width, camera.height, request_.lensGuidance);
+    if (frame != nullptr && camera.imageWidth == 0) {
+      camera.imageWidth = frame->image.cols;
+      camera.imageHeight = frame->image.rows;
+      seen_.cameras[k].imageWidth = camera.imageWidth;
+      seen_.cameras[k].imageHeight = camera.imageHeight;
+      lenses_[k].emplace(request_.board.board, camera.imageWidth, camera.imageHeight,
+                         request_.lensGuidance);
     }
   }
   if (state_.phase == BoardGuideState::Phase::Poses && !rigGuidance_) {
@@ -88,7 +89,7 @@ void BoardGuide::begin(const FrameSet& frames) {
   }
 }
 
-BoardGuideState BoardGuide::step(const FrameSet& frames) {
+BoardGuideState BoardGuide::processFrame(const FrameSet& frames) {
   state_.frame = frames.index;
   begin(frames);
   if (state_.phase == BoardGuideState::Phase::Finished) {
@@ -107,19 +108,19 @@ BoardGuideState BoardGuide::step(const FrameSet& frames) {
 void BoardGuide::stepLenses(double time, const Detections& found) {
   for (std::size_t k = 0; k < lenses_.size(); ++k) {
     if (lenses_[k]) {
-      storeLensState(k, lenses_[k]->step(time, found[k]));
+      storeLensState(k, lenses_[k]->update(time, found[k]));
     }
   }
   if (std::ranges::all_of(state_.cameras, [](const auto& camera) {
-        return camera.lens.advice == GuidanceAdvice::Finished;
+        return camera.lensGuidance.advice == GuidanceAdvice::Finished;
       })) {
     skipToPoses();
   }
 }
 
 void BoardGuide::storeLensState(std::size_t camera, const GuidanceState& state) {
-  state_.cameras[camera].lens = state;
-  if (state.captured) {
+  state_.cameras[camera].lensGuidance = state;
+  if (state.wasCaptured) {
     storeView(camera);
     calibrateLens(camera);
   }
@@ -150,14 +151,14 @@ void BoardGuide::calibrateLens(std::size_t camera) {
   IntrinsicsRequest lensRequest;
   lensRequest.board = request_.board.board;
   lensRequest.views = guidance.views();
-  lensRequest.width = state_.cameras[camera].width;
-  lensRequest.height = state_.cameras[camera].height;
+  lensRequest.width = state_.cameras[camera].imageWidth;
+  lensRequest.height = state_.cameras[camera].imageHeight;
   lensRequest.model = request_.board.model;
   lensRequest.pixelShape = request_.board.pixelShape;
   if (const auto result = calibrateIntrinsics(lensRequest)) {
     guidance.acceptCalibration(*result);
     state_.cameras[camera].rmsPx = result->rmsPx;
-    state_.cameras[camera].lens.projectionSigmaPx = result->independentProjectionSigmaPx;
+    state_.cameras[camera].lensGuidance.projectionSigmaPx = result->independentProjectionSigmaPx;
     Camera& known = project_.cameras[camera].camera;
     known.intrinsics = result->camera.intrinsics;
     known.distortion = result->camera.distortion;
@@ -169,11 +170,11 @@ void BoardGuide::beginRig() {
   state_.phase = BoardGuideState::Phase::Poses;
   std::vector<int> widths;
   for (const auto& camera : state_.cameras) {
-    widths.push_back(std::max(1, camera.width));
+    widths.push_back(std::max(1, camera.imageWidth));
   }
   rigGuidance_.emplace(std::move(widths), request_.rigGuidance);
-  state_.rig = rigGuidance_->state();
-  if (state_.rig.finished) { // one camera alone has no pair
+  state_.rigGuidance = rigGuidance_->state();
+  if (state_.rigGuidance.isFinished) { // one camera alone has no pair
     state_.phase = BoardGuideState::Phase::Finished;
   }
 }
@@ -190,12 +191,12 @@ BoardGuideState BoardGuide::skipToPoses() {
 }
 
 void BoardGuide::stepRig(double time, const Detections& found) {
-  storeRigState(rigGuidance_->step(time, found));
+  storeRigState(rigGuidance_->update(time, found));
 }
 
 void BoardGuide::storeRigState(const RigGuidance::State& state) {
-  state_.rig = state;
-  if (state.captured) {
+  state_.rigGuidance = state;
+  if (state.wasCaptured) {
     for (std::size_t k = 0; k < state_.cameras.size(); ++k) {
       if (state_.cameras[k].detection) {
         storeView(k);
@@ -203,9 +204,9 @@ void BoardGuide::storeRigState(const RigGuidance::State& state) {
       }
     }
   }
-  if (state.finished && state.instantCount < request_.maxInstants) {
+  if (state.isFinished && state.instantCount < request_.maxInstants) {
     calibrateRig();
-  } else if (state.finished) {
+  } else if (state.isFinished) {
     state_.phase = BoardGuideState::Phase::Finished;
   }
 }
@@ -219,15 +220,15 @@ void BoardGuide::calibrateRig() {
   }
   const auto result = calibrateExtrinsics(rigRequest);
   bool enough = result.has_value();
-  for (std::size_t k = 0; result && k < result->fits.size(); ++k) {
-    state_.cameras[k].positionSigma = result->fits[k].centerSigma;
-    enough = enough && result->fits[k].centerSigma <= request_.requiredPositionSigma;
+  for (std::size_t k = 0; result && k < result->cameraFits.size(); ++k) {
+    state_.cameras[k].positionSigma = result->cameraFits[k].centerSigma;
+    enough = enough && result->cameraFits[k].centerSigma <= request_.requiredPositionSigma;
   }
   if (enough) {
     state_.phase = BoardGuideState::Phase::Finished;
   } else {
-    rigGuidance_->requireMore(kMoreInstants);
-    state_.rig = rigGuidance_->state();
+    rigGuidance_->requireMoreInstants(kMoreInstants);
+    state_.rigGuidance = rigGuidance_->state();
   }
 }
 

@@ -43,9 +43,9 @@ struct BoardGuideState {
   struct PerCamera {
     std::string name;
     /// Width of the images, pixels. 0: this camera has not delivered an image yet.
-    int width = 0;
-    int height = 0;
-    GuidanceState lens;                      ///< guidance of the user in phase Lenses
+    int imageWidth = 0;
+    int imageHeight = 0;
+    GuidanceState lensGuidance;              ///< guidance of the user in phase Lenses
     std::optional<BoardDetection> detection; ///< detection of the board in the newest image
     Outline outline; ///< outline of the board in the newest image; may be empty
     std::vector<Outline> capturedOutlines; ///< outlines of the board in the captured views
@@ -60,7 +60,7 @@ struct BoardGuideState {
   Phase phase = Phase::Lenses;
   std::int64_t frame = -1; ///< number of the last frame whose images were searched for the board
   std::vector<PerCamera> cameras;
-  RigGuidance::State rig;
+  RigGuidance::State rigGuidance;
   std::optional<std::int64_t> floorFrame; ///< frame in which the board lies on the floor
   /// Views captured so far, for calibrateFromBoards().
   std::shared_ptr<const BoardDetections> detections;
@@ -84,7 +84,7 @@ public:
 
   /// Processes the images of one frame and returns the new state. Pass the newest frame each time;
   /// frame numbers must be ascending.
-  BoardGuideState step(const FrameSet& frames);
+  BoardGuideState processFrame(const FrameSet& frames);
   /// Captures the last images that show the board. Call this function when the user asks for it.
   BoardGuideState captureNow();
   /// Captures the last images that show the board, which must lie on the floor. At least one camera

@@ -42,7 +42,7 @@ public:
     changed_.notify_one();
   }
 
-  void begin(const Project& project, const BoardGuideRequest& request) {
+  void start(const Project& project, const BoardGuideRequest& request) {
     // The guidance itself, which has threads to join, is made and goes in the thread.
     auto state = std::make_shared<const BoardGuideState>(BoardGuide(project, request).state());
     order([&](Orders& orders) {
@@ -52,7 +52,7 @@ public:
     });
   }
 
-  BoardGuideStatePtr newest() const {
+  BoardGuideStatePtr newestState() const {
     const std::lock_guard lock(mutex_);
     return newest_;
   }
@@ -91,7 +91,7 @@ private:
       guide.skipToPoses();
     }
     if (orders.frames) {
-      guide.step(*orders.frames);
+      guide.processFrame(*orders.frames);
     }
   }
 
@@ -120,8 +120,8 @@ private:
 BoardGuideThread::BoardGuideThread(std::function<void()> wake)
     : impl_(std::make_unique<Impl>(std::move(wake))) {}
 BoardGuideThread::~BoardGuideThread() = default;
-void BoardGuideThread::begin(const Project& project, const BoardGuideRequest& request) {
-  impl_->begin(project, request);
+void BoardGuideThread::start(const Project& project, const BoardGuideRequest& request) {
+  impl_->start(project, request);
 }
 void BoardGuideThread::offer(FrameSetPtr frames) {
   impl_->order([&](auto& orders) { orders.frames = std::move(frames); });
@@ -135,8 +135,8 @@ void BoardGuideThread::captureFloor() {
 void BoardGuideThread::skipToPoses() {
   impl_->order([](auto& orders) { orders.skipToPoses = true; });
 }
-BoardGuideStatePtr BoardGuideThread::newest() const {
-  return impl_->newest();
+BoardGuideStatePtr BoardGuideThread::newestState() const {
+  return impl_->newestState();
 }
 
 } // namespace dewpoint::setup

@@ -12,8 +12,8 @@ namespace dewpoint::setup {
 /// processed. Every call returns immediately.
 class BoardGuideThread {
 public:
-  /// `wake` is called from the guide's thread whenever newest() returns a new state. It must do no
-  /// more than post an event.
+  /// `wake` is called from the guide's thread whenever newestState() returns a new state. It must
+  /// do no more than post an event.
   explicit BoardGuideThread(std::function<void()> wake);
   /// Stops the thread. Do not call this from the thread of a window, because it waits until the
   /// images in progress are processed.
@@ -22,7 +22,7 @@ public:
   BoardGuideThread& operator=(const BoardGuideThread&) = delete;
 
   /// Starts the guided calibration of a project's cameras, or restarts it from scratch.
-  void begin(const Project& project, const BoardGuideRequest& request);
+  void start(const Project& project, const BoardGuideRequest& request);
   /// Passes images to the guide, replacing images that are still waiting.
   void offer(FrameSetPtr frames);
   /// Captures the last images that show the board. Call this function when the user asks for it.
@@ -32,8 +32,8 @@ public:
   /// Ends the calibration of the intrinsics, whatever accuracy it has reached, and continues with
   /// the poses.
   void skipToPoses();
-  /// Returns the newest state of the guided calibration since begin(); never null.
-  BoardGuideStatePtr newest() const;
+  /// Returns the newest state of the guided calibration since start(); never null.
+  BoardGuideStatePtr newestState() const;
 
 private:
   class Impl;

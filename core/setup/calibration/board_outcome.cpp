@@ -14,9 +14,9 @@ namespace {
 
 BoardReport extrinsicsReport(const BoardCalibrationRequest& request, const BoardOutcome& outcome) {
   BoardReport report = reportOf(request.board, *outcome.extrinsics);
-  report.accuracy = outcome.accuracySummary;
+  report.accuracyText = outcome.accuracySummary;
   for (const DetectedFault& fault : outcome.extrinsics->faults) {
-    report.accuracy += " " + fault.sentence;
+    report.accuracyText += " " + fault.sentence;
   }
   return report;
 }
@@ -37,8 +37,8 @@ void recordLenses(const LensesFromBoards& lenses, Project& project) {
   for (std::size_t k = 0; k < project.cameras.size(); ++k) {
     if (k < lenses.cameras.size() && lenses.cameras[k]) {
       ProjectCamera& camera = project.cameras[k];
-      camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Board,
-                                            lenses.cameras[k]->maxProjectionSigmaPx);
+      camera.calibrationRecord.lens = recordOfLens(camera.camera, CalibrationOrigin::Board,
+                                                   lenses.cameras[k]->maxProjectionSigmaPx);
     }
   }
 }
@@ -65,34 +65,34 @@ std::vector<const IntrinsicsResult*> lensesOf(const BoardOutcome& outcome,
 
 /// Which cameras were placed by the board, and how well.
 void recordPoses(const BoardCalibrationRequest& request, BoardOutcome& outcome) {
-  const std::vector<CameraFit>& fits = outcome.extrinsics->fits;
+  const std::vector<CameraFit>& fits = outcome.extrinsics->cameraFits;
   for (std::size_t k = 0; k < std::min(fits.size(), outcome.project.cameras.size()); ++k) {
     ProjectCamera& camera = outcome.project.cameras[k];
     if (!fits[k].views.empty()) {
-      camera.calibrated.pose =
+      camera.calibrationRecord.pose =
           recordOfPose(camera.camera, CalibrationOrigin::Board, positionError(fits[k].centerSigma));
     }
     if (fits[k].isLensRefined && !fits[k].views.empty()) {
-      camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Board);
+      camera.calibrationRecord.lens = recordOfLens(camera.camera, CalibrationOrigin::Board);
     }
   }
-  WorldRecord& world = outcome.project.calibrated;
-  world.scale = CalibrationOrigin::Board;
-  world.scaleError = outcome.accuracy ? outcome.accuracy->scale95 : std::nullopt;
-  world.accuracy = outcome.accuracy ? std::optional(outcome.accuracy->position95) : std::nullopt;
-  world.errorOutsideVolume = outcome.accuracy ? outcome.accuracy->outsidePosition95 : std::nullopt;
-  world.check.reset();
+  WorldRecord& world = outcome.project.worldRecord;
+  world.scaleOrigin = CalibrationOrigin::Board;
+  world.scaleError = outcome.accuracy ? outcome.accuracy->scaleError95 : std::nullopt;
+  world.errorInsideVolume = outcome.accuracy ? std::optional(outcome.accuracy->positionError95) : std::nullopt;
+  world.errorOutsideVolume = outcome.accuracy ? outcome.accuracy->outsidePositionError95 : std::nullopt;
+  world.lengthCheck.reset();
   if (request.floorFrame) {
-    world.floor = CalibrationOrigin::Board;
+    world.floorOrigin = CalibrationOrigin::Board;
   }
 }
 
 /// Names the cameras whose lenses are known too badly for poses.
 void addPoorLenses(const Project& project, ExtrinsicsResult& extrinsics) {
-  for (std::size_t k = 0; k < std::min(project.cameras.size(), extrinsics.fits.size()); ++k) {
+  for (std::size_t k = 0; k < std::min(project.cameras.size(), extrinsics.cameraFits.size()); ++k) {
     const ProjectCamera& camera = project.cameras[k];
-    const auto& lens = camera.calibrated.lens;
-    const CameraFit& fit = extrinsics.fits[k];
+    const auto& lens = camera.calibrationRecord.lens;
+    const CameraFit& fit = extrinsics.cameraFits[k];
     if (fit.views.empty() || fit.isLensRefined || !lens || !describes(*lens, camera.camera) ||
         lens->error.value_or(0.0) <= kWorstRayPx) {
       continue;
@@ -181,13 +181,13 @@ Project withOutcome(Project project, const BoardOutcome& outcome) {
   }
   if (outcome.extrinsics) {
     project = withCameras(std::move(project), outcome.extrinsics->cameras);
-    project.calibrated = outcome.project.calibrated;
+    project.worldRecord = outcome.project.worldRecord;
   }
   // A record that is not about the numbers of this project says nothing.
   for (std::size_t k = 0; k < std::min(project.cameras.size(), outcome.project.cameras.size());
        ++k) {
-    const CameraRecord& found = outcome.project.cameras[k].calibrated;
-    CameraRecord& record = project.cameras[k].calibrated;
+    const CameraRecord& found = outcome.project.cameras[k].calibrationRecord;
+    CameraRecord& record = project.cameras[k].calibrationRecord;
     record.lens = outcome.lenses || outcome.extrinsics ? found.lens : record.lens;
     record.pose = outcome.extrinsics ? found.pose : record.pose;
   }
@@ -197,7 +197,7 @@ Project withOutcome(Project project, const BoardOutcome& outcome) {
 std::vector<std::string> outcomeRemarks(const BoardOutcome& outcome) {
   std::vector<std::string> remarks;
   if (outcome.lenses) {
-    for (const Error& kept : outcome.lenses->keptIntrinsics) {
+    for (const Error& kept : outcome.lenses->keptIntrinsicsReasons) {
       remarks.push_back(keptIntrinsicsText(kept) + ".");
     }
   }

@@ -41,7 +41,7 @@ Result<std::vector<BoardGuess>> proposeBoards(FrameSetSource& source,
     }
     for (std::size_t k = 0; *set != nullptr && k < (*set)->frames.size(); ++k) {
       if ((*set)->frames[k] != nullptr) {
-        images.push_back(imageForGuess((*set)->frames[k]->image));
+        images.push_back(reducedGrayImage((*set)->frames[k]->image));
       }
     }
   }
@@ -58,7 +58,7 @@ Result<std::vector<BoardGuess>> proposeBoards(const std::vector<std::filesystem:
     if (!picture) {
       return tl::make_unexpected(picture.error());
     }
-    images.push_back(imageForGuess(*picture));
+    images.push_back(reducedGrayImage(*picture));
   }
   return orNotFound(guessBoards(images, requested, progress), images.size());
 }

@@ -29,7 +29,7 @@ public:
   explicit KeptImages(std::size_t cameras) : ofCameras_(cameras) {}
 
   void keep(std::size_t camera, const cv::Mat& image) {
-    ofCameras_[camera].push_back(imageForGuess(image));
+    ofCameras_[camera].push_back(reducedGrayImage(image));
   }
   void keep(const FrameSet& set) {
     for (std::size_t k = 0; k < std::min(set.frames.size(), ofCameras_.size()); ++k) {
@@ -104,7 +104,7 @@ std::size_t boardViewsOf(const BoardDetections& seen) {
 int imagesSearched(const BoardDetections& seen) {
   int count = 0;
   for (const auto& camera : seen.cameras) {
-    count += camera.searchedImages;
+    count += camera.searchedImageCount;
   }
   return count;
 }
@@ -127,7 +127,7 @@ Status addOtherBoards(OtherBoards where, const KeptImages& kept, const BoardDesc
     // A few views of the requested board are worth more than as many of a mere guess.
     if (*other && (*other)->imageCount > static_cast<int>(boardViewsOf(seen))) {
       for (std::size_t k = 0; (*other)->isMirrored && k < seen.cameras.size(); ++k) {
-        seen.cameras[k].sides = countSides((*other)->board, kept.of(k));
+        seen.cameras[k].mirroringCounts = countMirroredImages((*other)->board, kept.of(k));
       }
       seen.otherBoard = std::move(*other);
     }
@@ -142,7 +142,7 @@ Status addOtherBoards(OtherBoards where, const KeptImages& kept, const BoardDesc
       return tl::make_unexpected(other.error());
     }
     if (*other && (*other)->isMirrored) {
-      seen.cameras[k].sides = countSides((*other)->board, kept.of(k));
+      seen.cameras[k].mirroringCounts = countMirroredImages((*other)->board, kept.of(k));
     }
     seen.cameras[k].otherBoard = std::move(*other);
   }
@@ -166,9 +166,9 @@ void detectAll(const BoardDetector& detector, DetectionEffort effort, const Fram
     if (frames.frames[k] == nullptr) {
       continue;
     }
-    camera.width = frames.frames[k]->image.cols;
-    camera.height = frames.frames[k]->image.rows;
-    ++camera.searchedImages;
+    camera.imageWidth = frames.frames[k]->image.cols;
+    camera.imageHeight = frames.frames[k]->image.rows;
+    ++camera.searchedImageCount;
     if (found[k]) {
       camera.views.push_back({fmt::format("frame {}", frames.index), frames.index, *found[k]});
     } else {
@@ -254,11 +254,11 @@ Result<BoardDetections> searchedFrames(OtherBoards where, const std::vector<std:
   KeptImages kept(seen.cameras.size());
   MissedImages missed(seen.cameras.size(),
                       where == OtherBoards::OfEach && effort != DetectionEffort::Live);
-  if (const auto done = searchFrames(frames, detector, effort, source, progress, seen, kept, missed)
-                            .and_then([&] {
-                              return addOtherBoards(where, kept, detector.board(), progress, seen);
-                            })
-                            .and_then([&] { return missed.explain(detector, progress, seen); });
+  if (const auto done =
+          searchFrames(frames, detector, effort, source, progress, seen, kept, missed)
+              .and_then(
+                  [&] { return addOtherBoards(where, kept, detector.board(), progress, seen); })
+              .and_then([&] { return missed.explainMisses(detector, progress, seen); });
       !done) {
     return tl::make_unexpected(done.error());
   }
@@ -278,7 +278,7 @@ Result<BoardDetections> searchedPictures(OtherBoards where,
       evenlySpacedFrames(static_cast<std::int64_t>(pictures.size()), kBoardProposalFrames);
   for (const auto& file : pictures) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection,
-                        static_cast<double>(camera.searchedImages) /
+                        static_cast<double>(camera.searchedImageCount) /
                             static_cast<double>(pictures.size()))) {
       return canceledError();
     }
@@ -286,28 +286,29 @@ Result<BoardDetections> searchedPictures(OtherBoards where,
     if (!picture) {
       return tl::make_unexpected(picture.error());
     }
-    if (camera.searchedImages == 0) {
-      camera.width = picture->cols;
-      camera.height = picture->rows;
+    if (camera.searchedImageCount == 0) {
+      camera.imageWidth = picture->cols;
+      camera.imageHeight = picture->rows;
     }
-    if (picture->cols != camera.width || picture->rows != camera.height) {
+    if (picture->cols != camera.imageWidth || picture->rows != camera.imageHeight) {
       return failure(ErrorCode::Mismatch, file.string(), "",
                      fmt::format("{} x {} pixels, but the first image has {} x {}", picture->cols,
-                                 picture->rows, camera.width, camera.height));
+                                 picture->rows, camera.imageWidth, camera.imageHeight));
     }
     if (auto found = detector.detect(*picture, effort)) {
-      camera.views.push_back({file.filename().string(), camera.searchedImages, std::move(*found)});
+      camera.views.push_back(
+          {file.filename().string(), camera.searchedImageCount, std::move(*found)});
     } else {
-      missed.add(0, file.filename().string(), camera.searchedImages, *picture, camera);
+      missed.add(0, file.filename().string(), camera.searchedImageCount, *picture, camera);
     }
-    if (std::ranges::binary_search(keep, static_cast<std::int64_t>(camera.searchedImages))) {
+    if (std::ranges::binary_search(keep, static_cast<std::int64_t>(camera.searchedImageCount))) {
       kept.keep(0, *picture);
     }
-    ++camera.searchedImages;
+    ++camera.searchedImageCount;
   }
   if (const auto added =
           addOtherBoards(where, kept, detector.board(), progress, seen).and_then([&] {
-            return missed.explain(detector, partOfSearch(progress, 1.0, 1.0), seen);
+            return missed.explainMisses(detector, partOfSearch(progress, 1.0, 1.0), seen);
           });
       !added) {
     return tl::make_unexpected(added.error());
@@ -342,7 +343,7 @@ Result<BoardDetections> findBoards(const Project& project, FrameSetSource& sourc
   const BoardDetections nothing = nothingSeen(project, source);
   const auto frames = framesToSearch(*total, request);
   const bool isLong = static_cast<std::int64_t>(frames.size()) > kLongRecording;
-  if (request.suggestBoardFirst && isLong) {
+  if (request.checksForOtherBoardFirst && isLong) {
     auto first = searchedFrames(OtherBoards::OfAll, someOf(frames), detector, effort, source,
                                 partOfSearch(progress, 0.0, kLookShare), nothing);
     if (!first) {
@@ -359,11 +360,12 @@ Result<BoardDetections> findBoards(const Project& project, FrameSetSource& sourc
 
 Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pictures,
                                    const BoardDescription& board, DetectionEffort effort,
-                                   const CalibrationProgress& progress, bool suggestBoardFirst) {
+                                   const CalibrationProgress& progress,
+                                   bool checksForOtherBoardFirst) {
   const BoardDetector detector(board);
   const auto count = static_cast<std::int64_t>(pictures.size());
   const bool isLong = count > kLongRecording;
-  if (suggestBoardFirst && isLong) {
+  if (checksForOtherBoardFirst && isLong) {
     std::vector<std::filesystem::path> few;
     for (const std::int64_t k : evenlySpacedFrames(count, kBoardProposalFrames)) {
       few.push_back(pictures[static_cast<std::size_t>(k)]);

@@ -31,35 +31,35 @@ struct BoardCalibrationRequest {
   /// Frame in which the board lies on the floor and defines the world frame; not set: the first
   /// camera keeps its pose.
   std::optional<std::int64_t> floorFrame;
-  bool refineIntrinsics = false; ///< true to refine the intrinsics together with the poses
+  bool refinesIntrinsics = false; ///< true to refine the intrinsics together with the poses
   /// True to search a few frames of a long recording first. If these show only another board than
   /// the requested one, the remaining frames are not searched.
-  bool suggestBoardFirst = true;
+  bool checksForOtherBoardFirst = true;
 };
 
 /// Image in which the board was not found.
 struct MissedImage {
-  std::string file;         ///< name of an image file; empty for a frame of a recording
-  std::int64_t instant = 0; ///< number of the frame, or of the file in its list; counts from 0
+  std::string file;        ///< name of an image file; empty for a frame of a recording
+  std::int64_t number = 0; ///< number of the frame, or of the file in its list; counts from 0
   /// Reason why the board was not found, if it is known. It is determined only for image files and
   /// short recordings, and only for a few images of each camera.
-  BoardMiss miss;
+  BoardMiss missReason;
 };
 
 /// Numbers of images of a camera in which a board is found as it is, or only after the image is
 /// mirrored.
-struct BoardSides {
-  int plainCount = 0;    ///< number of images that show the board as it is
-  int mirroredCount = 0; ///< number of images that show it after they are mirrored left to right
+struct MirroringCounts {
+  int unmirroredCount = 0; ///< number of images that show the board as it is
+  int mirroredCount = 0;   ///< number of images that show it after they are mirrored left to right
 };
 
 /// Board detections in the recording of several cameras, or in a set of images of one camera.
 struct BoardDetections {
   struct PerCamera {
     std::string name;
-    int width = 0;
-    int height = 0;
-    int searchedImages = 0; ///< number of images in which the board was searched for
+    int imageWidth = 0;
+    int imageHeight = 0;
+    int searchedImageCount = 0; ///< number of images in which the board was searched for
     std::vector<BoardView> views;
     /// Other board that was found in a few of this camera's images. Set only if this camera never
     /// saw the requested board but other cameras did.
@@ -67,7 +67,7 @@ struct BoardDetections {
     std::vector<MissedImage> missedImages = {}; ///< the images without the board, in order
     /// Numbers of images with the board as it is and mirrored, from a few images of this camera.
     /// Set only if some images show a mirrored board.
-    BoardSides sides = {};
+    MirroringCounts mirroringCounts = {};
   };
   std::vector<PerCamera> cameras;
   double framesPerSecond = 30.0;
@@ -85,8 +85,8 @@ struct BoardDetections {
 
 /// Searches a recording for the board, in evenly spaced frames that are the same for all cameras.
 /// Only frames from `firstFrame` to before `endFrame` are searched, and in addition `floorFrame`.
-/// With `suggestBoardFirst`, a few frames of a long recording are searched first: if they show
-/// another board instead of the requested one, the search ends and returns the other board
+/// With `checksForOtherBoardFirst`, a few frames of a long recording are searched first: if they
+/// show another board instead of the requested one, the search ends and returns the other board
 /// (`otherBoard`). If a camera never sees the board, a few of its images are searched for any
 /// board. Returns BadValue if the cameras are live or if the recording has none of these frames.
 /// Also returns Canceled, or the errors of the source.
@@ -95,13 +95,13 @@ Result<BoardDetections> findBoards(const Project& project, FrameSetSource& sourc
                                    const CalibrationProgress& progress = {});
 
 /// Searches image files from one camera for the board. `effort` is the thoroughness of the search.
-/// With `suggestBoardFirst`, a few of many files are searched first; if they show only another
-/// board than the requested one, the search ends. Each view is named after its file. Returns
-/// FileUnreadable, Mismatch if the image sizes differ, or Canceled.
+/// With `checksForOtherBoardFirst`, a few of many files are searched first; if they show only
+/// another board than the requested one, the search ends. Each view is named after its file.
+/// Returns FileUnreadable, Mismatch if the image sizes differ, or Canceled.
 Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pictures,
                                    const BoardDescription& board, DetectionEffort effort,
                                    const CalibrationProgress& progress = {},
-                                   bool suggestBoardFirst = true);
+                                   bool checksForOtherBoardFirst = true);
 
 /// Number of frames that are searched to find out which board a recording shows.
 inline constexpr int kBoardProposalFrames = 12;

@@ -21,13 +21,13 @@ void moveClicks(Project& project, int camera, const Eigen::Vector2d& shift, int 
       click.pixel += click.camera == camera ? shift : Eigen::Vector2d::Zero();
     }
   };
-  for (MeasuredPoint& point : project.points) {
+  for (MeasuredPoint& point : project.measuredPoints) {
     move(point.clicks);
   }
   for (PositionCorrection& correction : project.corrections) {
     move(correction.clicks);
   }
-  for (PersonCorrection& person : project.people) {
+  for (PersonCorrection& person : project.personCorrections) {
     if (person.click && person.click->camera == camera) {
       person.click->pixel += shift;
     }
@@ -58,7 +58,7 @@ void moveClicks(Project& project, int camera, const Eigen::Vector2d& shift, int 
 
 void setCalibration(ProjectCamera& camera, const Camera& calibration) {
   if (camera.camera != calibration) {
-    camera.markAdjusted();
+    camera.markCalibrationChanged();
   }
   camera.camera = calibration;
 }
@@ -83,13 +83,13 @@ Project withTimeOffsets(Project project, const std::vector<double>& offsets) {
 Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symmetry) {
   ProjectCamera& of = project.cameras[static_cast<std::size_t>(camera)];
   const Intrinsics before = of.camera.intrinsics;
-  const ImageSymmetry source = combined({of.rotateDegrees, of.mirrored}, symmetry);
+  const ImageSymmetry source = combined({of.rotateDegrees, of.isMirrored}, symmetry);
   of.rotateDegrees = source.rotateDegrees;
-  of.mirrored = source.mirrored;
+  of.isMirrored = source.isMirrored;
   of.crop = transformed(symmetry, of.crop);
   of.camera = transformed(symmetry, of.camera);
-  for (MeasuredPoint& point : project.points) {
-    if (const PointClick* click = clickIn(point, camera)) {
+  for (MeasuredPoint& point : project.measuredPoints) {
+    if (const PointClick* click = findClick(point, camera)) {
       setClickIn(point, camera, transformed(symmetry, click->pixel, before.width, before.height),
                  click->frame);
     }
@@ -100,7 +100,7 @@ Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symm
 Project withImageOrientation(Project project, std::size_t camera, int rotateDegrees,
                              bool mirrored) {
   const ProjectCamera& before = project.cameras[camera];
-  const ImageSymmetry present{before.rotateDegrees, before.mirrored};
+  const ImageSymmetry present{before.rotateDegrees, before.isMirrored};
   const ImageSymmetry wanted{rotateDegrees, mirrored};
   const auto change = std::ranges::find_if(imageSymmetries(), [&](const ImageSymmetry& symmetry) {
     return combined(present, symmetry) == wanted;
@@ -139,9 +139,9 @@ Result<Project> withImageCrop(Project project, std::size_t camera, const ImageMa
   moveClicks(project, static_cast<int>(camera),
              {before.crop.left - crop.left, before.crop.top - crop.top}, width, height);
   ProjectCamera& changed = project.cameras[camera];
-  if (changed.calibrated.lens) { // it is still the same lens
-    changed.calibrated.lens->values[2] += before.crop.left - crop.left;
-    changed.calibrated.lens->values[3] += before.crop.top - crop.top;
+  if (changed.calibrationRecord.lens) { // it is still the same lens
+    changed.calibrationRecord.lens->describedIntrinsics[2] += before.crop.left - crop.left;
+    changed.calibrationRecord.lens->describedIntrinsics[3] += before.crop.top - crop.top;
   }
   changed.camera = cropped;
   changed.crop = crop;
@@ -170,17 +170,17 @@ Project withPointSolution(Project project, const PointSolution& solution, bool f
   for (const CameraFromPoints& found : solution.cameras) {
     if (found.status == PoseStatus::None) {
       ProjectCamera& camera = project.cameras.at(static_cast<std::size_t>(found.camera));
-      camera.calibrated.pose = recordOfPose(camera.camera, CalibrationOrigin::Points);
+      camera.calibrationRecord.pose = recordOfPose(camera.camera, CalibrationOrigin::Points);
       if (focal && found.clickCount >= kFewestPointsOfFocal) { // else it was kept
-        camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Points);
+        camera.calibrationRecord.lens = recordOfLens(camera.camera, CalibrationOrigin::Points);
       }
     }
   }
   if (solution.hasSolvedCamera()) {
     // The positions of the points are in the world frame, and in meters.
-    project.calibrated = {};
-    project.calibrated.scale = CalibrationOrigin::Points;
-    project.calibrated.floor = CalibrationOrigin::Points;
+    project.worldRecord = {};
+    project.worldRecord.scaleOrigin = CalibrationOrigin::Points;
+    project.worldRecord.floorOrigin = CalibrationOrigin::Points;
   }
   return project;
 }

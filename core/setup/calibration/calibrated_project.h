@@ -15,8 +15,8 @@
 namespace dewpoint::setup {
 
 /// Sets the calibration of a project's camera. Use this function for changes by the user. If it
-/// changes the calibration of a simulated camera, it sets ProjectCamera::adjusted, so that this
-/// calibration is used instead of the scene's. (RunDefinition::appliedTo(), which inserts the
+/// changes the calibration of a simulated camera, it sets ProjectCamera::hasOwnCalibration, so that
+/// this calibration is used instead of the scene's. (RunDefinition::appliedTo(), which inserts the
 /// cameras of a run into a project, does not set `adjusted`.)
 void setCalibration(ProjectCamera& camera, const Camera& calibration);
 

@@ -70,8 +70,8 @@ Result<CreatedProject> withOneCamera(Project project, std::size_t index, const C
   ProjectCamera& changed = made.project.cameras[index];
   changed.camera = camera;
   const auto fits =
-      fitCalibration(changed, request.adaptation.fit, request.path.string(), made.decisions);
-  changed.calibrated = {recordOfLens(changed.camera, CalibrationOrigin::File),
+      fitCalibration(changed, request.adaptation.sizeFit, request.path.string(), made.decisions);
+  changed.calibrationRecord = {recordOfLens(changed.camera, CalibrationOrigin::File),
                         recordOfPose(changed.camera, CalibrationOrigin::File)};
   return fits ? Result<CreatedProject>(std::move(made)) : tl::make_unexpected(fits.error());
 }
@@ -118,7 +118,7 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
     return tl::make_unexpected(read.error());
   }
   const std::string file = request.path.string();
-  const auto& names = request.adaptation.names;
+  const auto& names = request.adaptation.cameraRenaming;
   const auto named = renameCameras(read->rig, names, file).and_then([&] {
     return nameAsRequested(project, request, read->rig);
   });
@@ -135,7 +135,7 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
     only = *found;
   }
   auto made = only ? withOneCamera(project, *only, original.front(), request)
-                   : withCalibration(project, read->rig, file, request.adaptation.fit);
+                   : withCalibration(project, read->rig, file, request.adaptation.sizeFit);
   if (!made) {
     return tl::make_unexpected(made.error());
   }
@@ -143,14 +143,14 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
   result.formatTitle = (*findCalibrationFormat(read->format))->title;
   result.decisions = read->decisions;
   result.decisions.insert(result.decisions.end(), made->decisions.begin(), made->decisions.end());
-  result.wasMatchedByOrder = made->wasMatchedByOrder;
+  result.wereCamerasMatchedByOrder = made->wereCamerasMatchedByOrder;
   result.hasOnlyIntrinsics = !read->hasPoses;
   CameraRig rig = rigOf(made->project);
   for (std::size_t k = 0; k < rig.size(); ++k) {
     const Camera& before = project.cameras[k].camera;
     if (result.hasOnlyIntrinsics) {
       rig[k].cameraFromWorld = before.cameraFromWorld;
-      made->project.cameras[k].calibrated.pose = project.cameras[k].calibrated.pose;
+      made->project.cameras[k].calibrationRecord.pose = project.cameras[k].calibrationRecord.pose;
     }
     if (only && k != *only) {
       continue;
@@ -163,14 +163,14 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
     result.cameras.push_back({k, before.name, from, poseShift(before, rig[k])});
   }
   if (result.hasOnlyIntrinsics) {
-    made->project.calibrated = project.calibrated;
+    made->project.worldRecord = project.worldRecord;
   }
   const auto loss = roundTripError(rig, file);
   if (!loss) {
     return tl::make_unexpected(loss.error());
   }
-  result.maxDifferencePx = *loss;
-  result.faults = camera_motion::checkRig(rig);
+  result.maxConversionErrorPx = *loss;
+  result.likelyMistakes = camera_motion::checkRig(rig);
   result.project = withCameras(std::move(made->project), rig);
   if (const auto good = checkProject(result.project); !good) {
     return tl::make_unexpected(good.error());

@@ -42,15 +42,15 @@ struct CalibrationImport {
   std::vector<std::string> decisions; ///< sentences about the decisions: units, axes, directions
   std::vector<ImportedCamera> cameras;
   /// True if no name in the file matched a camera, so that cameras were matched by order.
-  bool wasMatchedByOrder = false;
+  bool wereCamerasMatchedByOrder = false;
   /// True if the file has no poses, so that the poses in the project were kept.
   bool hasOnlyIntrinsics = false;
   /// Likely mistakes in the calibration: two cameras with the same pose, or another unit
   /// (checkRig()).
-  std::vector<camera_motion::CameraDisagreement> faults;
+  std::vector<camera_motion::CameraDisagreement> likelyMistakes;
   /// Largest change of a projection, in pixels, if the cameras of the file are saved in Dewpoint's
   /// own format and read again (compareCameras()).
-  double maxDifferencePx = 0.0;
+  double maxConversionErrorPx = 0.0;
 };
 
 /// Imports the calibration of any supported tool for a project's cameras. Cameras are matched by

@@ -11,7 +11,7 @@ namespace {
 
 StepProgress ofCameras(const CalibrationStatus& status, ItemStatus CameraCalibrationStatus::*part,
                        KnowledgeLevel least) {
-  return {static_cast<int>(countKnown(status, part, least)),
+  return {static_cast<int>(countKnownCameras(status, part, least)),
           std::max(1, static_cast<int>(status.cameras.size())), worstError(status, part)};
 }
 
@@ -25,7 +25,7 @@ StepProgress ofOrigin(const CalibrationStatus& status, CalibrationOrigin origin)
   for (const CameraCalibrationStatus& camera : status.cameras) {
     const bool isExact = camera.pose.knowledge == KnowledgeLevel::Measured && !camera.pose.origin;
     if ((camera.pose.origin == origin || isExact) && !camera.pose.isPoor) {
-      ++progress.done;
+      ++progress.doneCount;
       if (camera.pose.error) {
         progress.error = std::max(progress.error.value_or(0.0), *camera.pose.error);
       }
@@ -37,7 +37,7 @@ StepProgress ofOrigin(const CalibrationStatus& status, CalibrationOrigin origin)
 /// Cameras with enough clicks.
 StepProgress ofClicks(const Project& project) {
   std::vector<int> clicks(project.cameras.size(), 0);
-  for (const MeasuredPoint& point : project.points) {
+  for (const MeasuredPoint& point : project.measuredPoints) {
     for (const PointClick& click : point.clicks) {
       if (const auto camera = static_cast<std::size_t>(click.camera); camera < clicks.size()) {
         ++clicks[camera];
@@ -124,8 +124,8 @@ StepProgress progressOf(GuideStep step, const Project& project, const Calibratio
     break;
   }
   const auto& check = status.lengthCheck;
-  return check && check->measured > 0.0
-             ? ofPart(true, std::abs(check->found / check->measured - 1.0))
+  return check && check->measuredLength > 0.0
+             ? ofPart(true, std::abs(check->calibratedLength / check->measuredLength - 1.0))
              : ofPart(false);
 }
 

@@ -29,15 +29,15 @@ enum class GuideStep {
   MeasuredLength  ///< compare a distance measured in the room with the calibration
 };
 
-/// Progress of a calibration step. The step is done when `done` has reached `total`.
+/// Progress of a calibration step. The step is done when `doneCount` has reached `totalCount`.
 struct StepProgress {
-  int done = 0;
-  int total = 1;
+  int doneCount = 0;
+  int totalCount = 1;
   /// Calibration error after this step, in the unit that errorUnit() returns: pixels, meters, or a
   /// fraction. Empty if unknown.
   std::optional<double> error;
 
-  bool isDone() const { return done >= total; }
+  bool isDone() const { return doneCount >= totalCount; }
   bool operator==(const StepProgress&) const = default;
 };
 

@@ -32,15 +32,15 @@ ItemStatus partStatus(const std::optional<Record>& record, const Camera& camera,
 CameraCalibrationStatus cameraStatus(const Project& project, std::size_t index) {
   const ProjectCamera& camera = project.cameras[index];
   CameraCalibrationStatus status;
-  status.delay = camera.delay;
-  if (camera.source == SourceKind::Simulation && !camera.adjusted) {
+  status.delaySeconds = camera.delay;
+  if (camera.source == SourceKind::Simulation && !camera.hasOwnCalibration) {
     status.lens.knowledge = status.pose.knowledge = KnowledgeLevel::Measured;
     return status;
   }
-  status.lens =
-      partStatus(camera.calibrated.lens, camera.camera, hasGuessedLens(project, index), kPoorLens);
-  status.pose =
-      partStatus(camera.calibrated.pose, camera.camera, hasGuessedPose(project, index), kPoorPose);
+  status.lens = partStatus(camera.calibrationRecord.lens, camera.camera,
+                           hasGuessedLens(project, index), kPoorLens);
+  status.pose = partStatus(camera.calibrationRecord.pose, camera.camera,
+                           hasGuessedPose(project, index), kPoorPose);
   return status;
 }
 
@@ -76,27 +76,27 @@ CalibrationStatus calibrationStatus(const Project& project) {
   for (std::size_t k = 0; k < project.cameras.size(); ++k) {
     status.cameras.push_back(cameraStatus(project, k));
   }
-  const WorldRecord& record = project.calibrated;
+  const WorldRecord& record = project.worldRecord;
   // Marks in the images set the world whatever the cameras come from.
   const auto isByMarks = [](const std::optional<CalibrationOrigin>& origin) {
     return origin == CalibrationOrigin::Marks;
   };
-  status.scale = worldPart(status.cameras, record.scale, isByMarks(record.scale));
-  status.floor = worldPart(status.cameras, record.floor, isByMarks(record.floor));
+  status.scale = worldPart(status.cameras, record.scaleOrigin, isByMarks(record.scaleOrigin));
+  status.floor = worldPart(status.cameras, record.floorOrigin, isByMarks(record.floorOrigin));
   if (status.scale.origin) {
     status.scale.error = record.scaleError;
   }
-  status.isUpright = !canTurnUpright(project);
+  status.isUpright = !canRotateUpright(project);
   if (!status.isUpright) {
     status.floor = {};
   }
   const bool isAllMeasured =
-      !status.cameras.empty() && countKnown(status, &CameraCalibrationStatus::pose,
+      !status.cameras.empty() && countKnownCameras(status, &CameraCalibrationStatus::pose,
                                             KnowledgeLevel::Measured) == status.cameras.size();
-  status.accuracy = isAllMeasured ? record.accuracy : std::nullopt;
+  status.errorInVolume = isAllMeasured ? record.errorInsideVolume : std::nullopt;
   status.errorOutsideVolume = isAllMeasured ? record.errorOutsideVolume : std::nullopt;
   status.lengthCheck =
-      status.scale.knowledge == KnowledgeLevel::Missing ? std::nullopt : record.check;
+      status.scale.knowledge == KnowledgeLevel::Missing ? std::nullopt : record.lengthCheck;
   return status;
 }
 
@@ -122,8 +122,8 @@ const char* originText(const ItemStatus& part) {
   return "points marked in the images";
 }
 
-std::size_t countKnown(const CalibrationStatus& status, ItemStatus CameraCalibrationStatus::*part,
-                       KnowledgeLevel least) {
+std::size_t countKnownCameras(const CalibrationStatus& status,
+                              ItemStatus CameraCalibrationStatus::*part, KnowledgeLevel least) {
   return static_cast<std::size_t>(
       std::ranges::count_if(status.cameras, [&](const CameraCalibrationStatus& camera) {
         const ItemStatus& known = camera.*part;

@@ -31,9 +31,9 @@ struct ItemStatus {
 
 /// Calibration status of one camera.
 struct CameraCalibrationStatus {
-  ItemStatus lens;    ///< status of the intrinsics; the error is in pixels (LensRecord::error)
-  ItemStatus pose;    ///< status of the pose; the error is in meters (PoseRecord::error)
-  double delay = 0.0; ///< delay of the images (ProjectCamera::delay), seconds
+  ItemStatus lens; ///< status of the intrinsics; the error is in pixels (LensRecord::error)
+  ItemStatus pose; ///< status of the pose; the error is in meters (PoseRecord::error)
+  double delaySeconds = 0.0; ///< delay of the images (ProjectCamera::delay), seconds
 };
 
 /// Calibration status of a project.
@@ -43,8 +43,8 @@ struct CalibrationStatus {
   ItemStatus floor;      ///< status of the floor and the upward direction, without an error
   bool isUpright = true; ///< false if the images show that the z axis does not point up
   /// Error, in meters, that 95 % of the positions measured in the calibrated volume do not exceed
-  /// (WorldRecord::accuracy).
-  std::optional<double> accuracy;
+  /// (WorldRecord::errorInsideVolume).
+  std::optional<double> errorInVolume;
   /// Error, in meters, that 95 % of the positions outside the calibrated volume do not exceed, if
   /// at least two cameras see them (WorldRecord::errorOutsideVolume).
   std::optional<double> errorOutsideVolume;
@@ -63,8 +63,8 @@ const char* originText(const ItemStatus& part);
 /// Returns the number of cameras for which a part of the calibration (intrinsics or pose) is known
 /// at least to the level `least`. A part that was measured with poor accuracy (`isPoor`) counts as
 /// Given, not as Measured.
-std::size_t countKnown(const CalibrationStatus& status, ItemStatus CameraCalibrationStatus::*part,
-                       KnowledgeLevel least);
+std::size_t countKnownCameras(const CalibrationStatus& status,
+                              ItemStatus CameraCalibrationStatus::*part, KnowledgeLevel least);
 
 /// Returns the largest error of a part of the calibration (intrinsics or pose) among all cameras;
 /// empty if no error is known.

@@ -32,13 +32,13 @@ Result<FloorFromBoard> withFloorFromBoard(const Project& project, const BoardDes
     }
     seen[k] = detector.detect(image, DetectionEffort::Exact);
   }
-  return boardInRig(board, rig, seen).map([&](const BoardInRig& found) {
+  return locateBoardInRig(board, rig, seen).map([&](const BoardInRig& found) {
     const Eigen::Isometry3d motion = worldFromFlatBoard() * found.worldFromBoard.inverse();
     const Similarity change{1.0, motion.linear(), motion.translation()};
     FloorFromBoard result{withMovedWorld(project, change),
                           vectorFromRotation(change.rotation).norm(), found.rmsPx,
                           found.cameras.size()};
-    result.project.calibrated.floor = CalibrationOrigin::Board;
+    result.project.worldRecord.floorOrigin = CalibrationOrigin::Board;
     return result;
   });
 }

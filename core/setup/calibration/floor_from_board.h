@@ -27,14 +27,14 @@ struct FloorFromBoard {
 /// floor more accurate.
 ///
 /// `frames` contains one image per camera of the project, all taken at the same time. An entry is
-/// null if there is no image. Errors: those of boardInRig(), and Mismatch if an image does not have
-/// the size that its camera is calibrated for.
+/// null if there is no image. Errors: those of locateBoardInRig(), and Mismatch if an image does
+/// not have the size that its camera is calibrated for.
 Result<FloorFromBoard> withFloorFromBoard(const Project& project, const BoardDescription& board,
                                           const FrameSet& frames);
 
 /// Sets the world frame from a board that lies on the floor in frame `frame` (from 0) of a
 /// recording. Returns BadValue if the recording has no such frame, Mismatch if an image does not
-/// have the size that its camera is calibrated for, and the errors of boardInRig() and of the
+/// have the size that its camera is calibrated for, and the errors of locateBoardInRig() and of the
 /// source.
 Result<FloorFromBoard> withFloorFromBoard(const Project& project, const BoardDescription& board,
                                           FrameSetSource& source, std::int64_t frame);

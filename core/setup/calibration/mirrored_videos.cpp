@@ -19,15 +19,16 @@ constexpr int kLeastImages = 3;
 
 } // namespace
 
-BoardSides countSides(const BoardDescription& board, const std::vector<cv::Mat>& images) {
-  BoardSides sides;
+MirroringCounts countMirroredImages(const BoardDescription& board,
+                                    const std::vector<cv::Mat>& images) {
+  MirroringCounts sides;
   if (board.kind != BoardDescription::Kind::Charuco) {
     return sides;
   }
   const BoardDetector detector(board);
   for (const cv::Mat& image : images) {
     if (detector.detect(image, DetectionEffort::Live)) {
-      ++sides.plainCount;
+      ++sides.unmirroredCount;
       continue;
     }
     cv::Mat flipped;
@@ -37,17 +38,18 @@ BoardSides countSides(const BoardDescription& board, const std::vector<cv::Mat>&
   return sides;
 }
 
-MirroredVideos mirroredVideos(const std::vector<BoardSides>& cameras) {
+MirroredVideos mirroredVideos(const std::vector<MirroringCounts>& cameras) {
   MirroredVideos found;
   bool isSeenPlain = false;
   for (std::size_t k = 0; k < cameras.size(); ++k) {
-    const BoardSides& sides = cameras[k];
-    if (sides.plainCount == 0 && sides.mirroredCount >= kLeastImages) {
-      found.cameras.push_back(k);
+    const MirroringCounts& sides = cameras[k];
+    if (sides.unmirroredCount == 0 && sides.mirroredCount >= kLeastImages) {
+      found.mirroredCameras.push_back(k);
     }
-    isSeenPlain = isSeenPlain || (sides.mirroredCount == 0 && sides.plainCount >= kLeastImages);
+    isSeenPlain =
+        isSeenPlain || (sides.mirroredCount == 0 && sides.unmirroredCount >= kLeastImages);
   }
-  if (!found.cameras.empty()) {
+  if (!found.mirroredCameras.empty()) {
     found.cause =
         isSeenPlain ? MirroredVideos::Cause::Videos : MirroredVideos::Cause::BoardOrVideos;
   }
@@ -55,10 +57,10 @@ MirroredVideos mirroredVideos(const std::vector<BoardSides>& cameras) {
 }
 
 MirroredVideos mirroredVideos(const BoardDetections& seen) {
-  std::vector<BoardSides> sides;
+  std::vector<MirroringCounts> sides;
   for (const auto& camera : seen.cameras) {
-    sides.push_back(camera.sides);
-    sides.back().plainCount += static_cast<int>(camera.views.size());
+    sides.push_back(camera.mirroringCounts);
+    sides.back().unmirroredCount += static_cast<int>(camera.views.size());
   }
   return mirroredVideos(sides);
 }
@@ -74,7 +76,7 @@ Result<MirroredVideos> findMirroredVideos(FrameSetSource& source, const BoardDes
                    "the cameras are live, but a recording is needed");
   }
   FramePicker picker(source);
-  std::vector<BoardSides> sides;
+  std::vector<MirroringCounts> sides;
   for (const std::int64_t frame : evenlySpacedFrames(*total, frames)) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection, 1.0)) {
       return canceledError();
@@ -86,8 +88,8 @@ Result<MirroredVideos> findMirroredVideos(FrameSetSource& source, const BoardDes
     for (std::size_t k = 0; *set != nullptr && k < (*set)->frames.size(); ++k) {
       sides.resize(std::max(sides.size(), k + 1));
       if ((*set)->frames[k] != nullptr) {
-        const BoardSides one = countSides(board, {imageForGuess((*set)->frames[k]->image)});
-        sides[k].plainCount += one.plainCount;
+        const MirroringCounts one = countMirroredImages(board, {reducedGrayImage((*set)->frames[k]->image)});
+        sides[k].unmirroredCount += one.unmirroredCount;
         sides[k].mirroredCount += one.mirroredCount;
       }
     }
@@ -97,7 +99,7 @@ Result<MirroredVideos> findMirroredVideos(FrameSetSource& source, const BoardDes
 
 std::string mirroredText(const MirroredVideos& mirrored, const std::vector<std::string>& names) {
   std::vector<std::string> listed;
-  for (const std::size_t camera : mirrored.cameras) {
+  for (const std::size_t camera : mirrored.mirroredCameras) {
     listed.push_back(fmt::format("'{}'", names.at(camera)));
   }
   const std::string cameras = fmt::format("{}", fmt::join(listed, ", "));
@@ -117,7 +119,7 @@ std::string mirroredText(const MirroredVideos& mirrored, const std::vector<std::
 }
 
 Project withUnmirroredVideos(Project project, const MirroredVideos& mirrored) {
-  for (const std::size_t camera : mirrored.cameras) {
+  for (const std::size_t camera : mirrored.mirroredCameras) {
     if (camera < project.cameras.size() && canSetImageSymmetry(project.cameras[camera])) {
       project = withImageSymmetry(std::move(project), static_cast<int>(camera), {0, true});
     }

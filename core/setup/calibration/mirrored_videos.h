@@ -16,24 +16,26 @@ namespace dewpoint::setup {
 /// video.
 struct MirroredVideos {
   enum class Cause {
-    None,          ///< no camera shows a mirrored board
-    Videos,        ///< the videos of `cameras`: another camera shows the board as it is
-    BoardOrVideos, ///< the videos of `cameras` or the board: no camera shows the board as it is
+    None,   ///< no camera shows a mirrored board
+    Videos, ///< the videos of `mirroredCameras`: another camera shows the board as it is
+    /// The videos of `mirroredCameras` or the board: no camera shows the board as it is.
+    BoardOrVideos,
   };
   Cause cause = Cause::None;
   /// Indices, in the project, of the cameras that show a mirrored board.
-  std::vector<std::size_t> cameras;
+  std::vector<std::size_t> mirroredCameras;
 
   bool operator==(const MirroredVideos&) const = default;
 };
 
 /// Counts the images (CV_8UC1 or CV_8UC3, BGR) that show a board as it is, and those that show it
 /// mirrored.
-BoardSides countSides(const BoardDescription& board, const std::vector<cv::Mat>& images);
+MirroringCounts countMirroredImages(const BoardDescription& board,
+                                    const std::vector<cv::Mat>& images);
 
 /// Returns which videos are mirrored. A camera shows a mirrored board if at least three of its
 /// images do, and none shows the board as it is.
-MirroredVideos mirroredVideos(const std::vector<BoardSides>& cameras);
+MirroredVideos mirroredVideos(const std::vector<MirroringCounts>& cameras);
 /// Returns which videos are mirrored, according to a search for the board. A camera that saw the
 /// board as it is in any frame is not mirrored.
 MirroredVideos mirroredVideos(const BoardDetections& seen);

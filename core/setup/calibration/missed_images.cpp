@@ -20,10 +20,11 @@ bool isSeenBetween(const BoardDetections::PerCamera& camera, std::int64_t first,
 }
 
 std::string runText(const MissedRun& run) {
-  std::string text = !run.file.empty()       ? run.file
-                     : run.first == run.last ? fmt::format("{}", run.first)
-                                             : fmt::format("{}-{}", run.first, run.last);
-  const std::string reason = missReasonText(run.miss);
+  std::string text = !run.file.empty() ? run.file
+                     : run.firstNumber == run.lastNumber
+                         ? fmt::format("{}", run.firstNumber)
+                         : fmt::format("{}-{}", run.firstNumber, run.lastNumber);
+  const std::string reason = missReasonText(run.missReason);
   return reason.empty() ? text : fmt::format("{} ({})", text, reason);
 }
 
@@ -37,8 +38,9 @@ void MissedImages::add(std::size_t index, std::string file, std::int64_t instant
   }
 }
 
-Status MissedImages::explain(const BoardDetector& detector, const CalibrationProgress& progress,
-                             BoardDetections& seen) const {
+Status MissedImages::explainMisses(const BoardDetector& detector,
+                                   const CalibrationProgress& progress,
+                                   BoardDetections& seen) const {
   for (std::size_t k = 0; k < images_.size(); ++k) {
     auto& camera = seen.cameras[k];
     if (seen.otherBoardSeenBy(camera) != nullptr) {
@@ -48,7 +50,7 @@ Status MissedImages::explain(const BoardDetector& detector, const CalibrationPro
       if (!reportProgress(progress, CalibrationStage::BoardDetection, 1.0)) {
         return canceledError();
       }
-      camera.missedImages[i].miss = diagnoseMissedBoard(detector, images_[k][i]);
+      camera.missedImages[i].missReason = diagnoseMissedBoard(detector, images_[k][i]);
     }
   }
   return {};
@@ -57,24 +59,24 @@ Status MissedImages::explain(const BoardDetector& detector, const CalibrationPro
 std::vector<MissedRun> missedRuns(const BoardDetections::PerCamera& camera) {
   std::vector<MissedRun> runs;
   for (const MissedImage& image : camera.missedImages) {
-    if (!runs.empty() && image.file.empty() && runs.back().miss == image.miss &&
-        !isSeenBetween(camera, runs.back().last, image.instant)) {
-      runs.back().last = image.instant;
-      ++runs.back().images;
+    if (!runs.empty() && image.file.empty() && runs.back().missReason == image.missReason &&
+        !isSeenBetween(camera, runs.back().lastNumber, image.number)) {
+      runs.back().lastNumber = image.number;
+      ++runs.back().imageCount;
       continue;
     }
-    runs.push_back({image.file, image.instant, image.instant, 1, image.miss});
+    runs.push_back({image.file, image.number, image.number, 1, image.missReason});
   }
   return runs;
 }
 
 bool hasExplainedMiss(const BoardDetections::PerCamera& camera) {
   return std::ranges::any_of(camera.missedImages, [](const MissedImage& image) {
-    return image.miss.reason != BoardMiss::Reason::Unknown;
+    return image.missReason.reason != BoardMiss::Reason::Unknown;
   });
 }
 
-std::string missedText(const BoardDetections::PerCamera& camera) {
+std::string missedImagesText(const BoardDetections::PerCamera& camera) {
   const auto runs = missedRuns(camera);
   if (runs.empty()) {
     return {};
@@ -88,7 +90,7 @@ std::string missedText(const BoardDetections::PerCamera& camera) {
     if (k < kMaxListedRuns) {
       text += (k == 0 ? "" : ", ") + runText(runs[k]);
     } else {
-      others += runs[k].images;
+      others += runs[k].imageCount;
     }
   }
   return others == 0 ? text : fmt::format("{} and in {} others", text, others);

@@ -16,7 +16,7 @@ namespace dewpoint::setup {
 class MissedImages {
 public:
   /// Creates an empty collection for `cameras` cameras. If `explained` is true, it keeps images so
-  /// that explain() can find the reasons, which takes time for each image.
+  /// that explainMisses() can find the reasons, which takes time for each image.
   MissedImages(std::size_t cameras, bool explained) : images_(cameras), explained_(explained) {}
 
   /// Adds an image in which the board was not found to the missed images of `camera`, whose index
@@ -25,8 +25,8 @@ public:
            BoardDetections::PerCamera& camera);
   /// Stores in `seen` why the board was not found, for the first images that each camera missed.
   /// Skips cameras whose images show another board. Error: Canceled.
-  Status explain(const BoardDetector& detector, const CalibrationProgress& progress,
-                 BoardDetections& seen) const;
+  Status explainMisses(const BoardDetector& detector, const CalibrationProgress& progress,
+                       BoardDetections& seen) const;
 
 private:
   std::vector<std::vector<cv::Mat>> images_; ///< the first missed ones of each camera
@@ -36,10 +36,10 @@ private:
 /// Consecutive missed images of a search that have the same reason.
 struct MissedRun {
   std::string file; ///< name of an image file, which is always a separate run; empty for frames
-  std::int64_t first = 0;
-  std::int64_t last = 0; ///< number of the last frame of the run
-  int images = 0;        ///< number of images in the run
-  BoardMiss miss;
+  std::int64_t firstNumber = 0; ///< number of the first frame of the run
+  std::int64_t lastNumber = 0;  ///< number of the last frame of the run
+  int imageCount = 0;           ///< number of images in the run
+  BoardMiss missReason;
 };
 
 /// Returns the images of a camera in which the board was not found, as runs. Consecutive frames are
@@ -54,6 +54,6 @@ bool hasExplainedMiss(const BoardDetections::PerCamera& camera);
 
 /// Returns a clause like "no board was found in left03.jpg (blurred, edges of 9 px), left07.jpg" or
 /// "no board was found in frames 0-40, 60". Empty if the board was found in all images.
-std::string missedText(const BoardDetections::PerCamera& camera);
+std::string missedImagesText(const BoardDetections::PerCamera& camera);
 
 } // namespace dewpoint::setup

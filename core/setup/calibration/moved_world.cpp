@@ -26,7 +26,7 @@ ReferenceGrid moved(const Similarity& change, ReferenceGrid grid) {
   grid.size *= change.scale;
   grid.step *= change.scale;
   if (along.head<2>().norm() > 0.0) {
-    grid.turn = std::atan2(along.y(), along.x());
+    grid.rotationAngle = std::atan2(along.y(), along.x());
   }
   return grid;
 }
@@ -91,7 +91,7 @@ void moveLength(const Similarity& change, std::optional<double>& length) {
 
 /// A record stays about the camera if it was: it was not the camera that moved.
 void moveCamera(const Similarity& change, ProjectCamera& camera) {
-  std::optional<PoseRecord>& record = camera.calibrated.pose;
+  std::optional<PoseRecord>& record = camera.calibrationRecord.pose;
   const bool wasAbout = record && describes(*record, camera.camera);
   setCalibration(camera, transformed(change, camera.camera));
   if (wasAbout) {
@@ -106,12 +106,12 @@ Project withMovedWorld(Project project, const Similarity& change) {
   for (ProjectCamera& camera : project.cameras) {
     moveCamera(change, camera);
   }
-  moveLength(change, project.calibrated.accuracy);
-  moveLength(change, project.calibrated.errorOutsideVolume);
+  moveLength(change, project.worldRecord.errorInsideVolume);
+  moveLength(change, project.worldRecord.errorOutsideVolume);
   if (project.grid) {
     project.grid = moved(change, *project.grid);
   }
-  for (MeasuredPoint& point : project.points) {
+  for (MeasuredPoint& point : project.measuredPoints) {
     point.world = change * point.world;
   }
   if (project.volumeOfInterest) {
@@ -123,7 +123,7 @@ Project withMovedWorld(Project project, const Similarity& change) {
     const Eigen::Matrix3d covariance = linear * correction.covariance * linear.transpose();
     correction.covariance = 0.5 * (covariance + covariance.transpose());
   }
-  for (PersonCorrection& person : project.people) {
+  for (PersonCorrection& person : project.personCorrections) {
     if (person.position) {
       const Eigen::Vector3d foot(person.position->x(), person.position->y(), 0.0);
       person.position = (change * foot).head<2>();

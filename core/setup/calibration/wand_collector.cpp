@@ -17,7 +17,8 @@ constexpr double kEnoughImage = 0.5;
 } // namespace
 
 bool hasEnoughDetections(const CameraSightings& camera) {
-  return camera.count >= kEnoughSightings && camera.coverage.coveredFraction() >= kEnoughImage;
+  return camera.detectionCount >= kEnoughSightings &&
+         camera.imageCoverage.coveredFraction() >= kEnoughImage;
 }
 
 WandCollector::WandCollector(std::size_t cameraCount, const std::vector<ColorClassifier>& balls)
@@ -57,7 +58,7 @@ void WandCollector::run(const std::stop_token& stop) {
 
 void WandCollector::search(const FrameSet& frames) {
   finder_.add(frames);
-  auto found = finder_.take();
+  auto found = finder_.takeViews();
   const double time = seconds(frames.time);
   const std::lock_guard lock(seenMutex_);
   ++searched_;
@@ -68,9 +69,9 @@ void WandCollector::search(const FrameSet& frames) {
     for (const MarkerObservation& view : found[c]) {
       const cv::Mat& image = frames.frames[c]->image;
       const int region = BoardCoverage::regionOf(view.pixel, image.cols, image.rows);
-      ++cameras_[c].coverage.cornerCounts.at(static_cast<std::size_t>(region));
+      ++cameras_[c].imageCoverage.cornerCounts.at(static_cast<std::size_t>(region));
     }
-    cameras_[c].count += shown ? found[c].size() : 0;
+    cameras_[c].detectionCount += shown ? found[c].size() : 0;
     std::ranges::move(found[c], std::back_inserter(views_[c]));
   }
 }
@@ -79,13 +80,13 @@ WandCollector::State WandCollector::state() const {
   State state;
   {
     const std::lock_guard lock(queueMutex_);
-    state.waitingFrameSets = taken_;
-    state.droppedFrameSets = dropped_;
+    state.waitingFrameSetCount = taken_;
+    state.droppedFrameSetCount = dropped_;
   }
   const std::lock_guard lock(seenMutex_);
-  state.seconds = first_ ? newest_ - *first_ : 0.0;
-  state.searchedFrameSets = searched_;
-  state.waitingFrameSets -= searched_;
+  state.durationSeconds = first_ ? newest_ - *first_ : 0.0;
+  state.searchedFrameSetCount = searched_;
+  state.waitingFrameSetCount -= searched_;
   state.cameras = cameras_;
   return state;
 }

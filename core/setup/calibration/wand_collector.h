@@ -14,8 +14,8 @@ namespace dewpoint::setup {
 
 /// Detections of the balls of a wand in the images of one camera.
 struct CameraSightings {
-  std::size_t count = 0;  ///< number of balls found
-  BoardCoverage coverage; ///< number of detections in each region of the image
+  std::size_t detectionCount = 0; ///< number of balls found
+  BoardCoverage imageCoverage;    ///< number of detections in each region of the image
 };
 
 /// Returns whether a camera saw the wand often enough and in a sufficient part of its image. With
@@ -42,10 +42,10 @@ public:
   void offer(const FrameSetPtr& frames);
 
   struct State {
-    double seconds = 0.0; ///< time from the first frame set to the newest one
-    std::int64_t searchedFrameSets = 0;
-    std::int64_t waitingFrameSets = 0; ///< number of frame sets that still wait to be searched
-    std::int64_t droppedFrameSets = 0;
+    double durationSeconds = 0.0; ///< time from the first frame set to the newest one
+    std::int64_t searchedFrameSetCount = 0;
+    std::int64_t waitingFrameSetCount = 0; ///< number of frame sets that still wait to be searched
+    std::int64_t droppedFrameSetCount = 0;
     std::vector<CameraSightings> cameras;
   };
   State state() const;

@@ -36,9 +36,9 @@ constexpr double kSevereGap = 0.5; ///< MotionGap::severity
 /// the former cameras. Gross errors have been dropped already.
 std::optional<double> errorBefore(const WandOptions& options, const CameraRig& before,
                                   const WandResult& result) {
-  const bool onlyCameras = !options.estimateTimeOffsets && !result.floorFound && !result.freeFall &&
-                           result.scale != WandScale::Distance &&
-                           result.scale != WandScale::Diameter;
+  const bool onlyCameras = !options.estimatesTimeOffsets && !result.isFloorFound && !result.freeFall &&
+                           result.scaleMethod != WandScale::Distance &&
+                           result.scaleMethod != WandScale::Diameter;
   if (!onlyCameras || before.size() != result.problem.cameras.size()) {
     return std::nullopt;
   }
@@ -48,18 +48,18 @@ std::optional<double> errorBefore(const WandOptions& options, const CameraRig& b
     problem.cameras[k] = {.camera = before[k], .isPoseFixed = true, .timeOffset = offset};
   }
   for (BundleState& state : problem.states) {
-    state.isKnown = false; // the solution's positions are no start in the former world
+    state.isPositionKnown = false; // the solution's positions are no start in the former world
   }
   problem.isDraft = true;
   const auto adjusted = adjustBundle(problem);
-  return adjusted ? std::optional(adjusted->rms) : std::nullopt;
+  return adjusted ? std::optional(adjusted->rmsPx) : std::nullopt;
 }
 
 /// What the project records about the former cameras.
 void addRecords(const Project& project, WandRefinement& refinement) {
   refinement.wasCalibratedBefore = !project.cameras.empty();
   for (const ProjectCamera& camera : project.cameras) {
-    const auto& pose = camera.calibrated.pose;
+    const auto& pose = camera.calibrationRecord.pose;
     if (!pose || !describes(*pose, camera.camera)) {
       refinement.wasCalibratedBefore = false;
       refinement.beforeError.reset();
@@ -93,38 +93,38 @@ void recordCameras(const WandRefinement& refinement, Project& project) {
   const auto sigmaOf = [&](std::size_t k) {
     return refinement.accuracy && k < refinement.accuracy->cameras.size()
                ? refinement.accuracy->cameras[k].positionSigma
-               : bundle.noiseFactor * centerSigma(bundle.covariance, k);
+               : bundle.residualToSigmaRatio * centerSigma(bundle.covariance, k);
   };
   for (std::size_t k = 0; k < project.cameras.size(); ++k) {
     ProjectCamera& camera = project.cameras[k];
     const double sigma = sigmaOf(k);
-    camera.calibrated.pose = recordOfPose(camera.camera, CalibrationOrigin::Wand,
+    camera.calibrationRecord.pose = recordOfPose(camera.camera, CalibrationOrigin::Wand,
                                           sigma > 0.0 ? std::optional(sigma) : std::nullopt);
-    if (refinement.options.estimateFocalLengths || refinement.options.estimateDistortion) {
-      camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Wand);
+    if (refinement.options.estimatesFocalLengths || refinement.options.estimatesDistortion) {
+      camera.calibrationRecord.lens = recordOfLens(camera.camera, CalibrationOrigin::Wand);
     }
   }
 }
 
 void recordWorld(const WandRefinement& refinement, WorldRecord& world) {
   const auto& accuracy = refinement.accuracy;
-  if (refinement.result.scale != WandScale::InitialRig) {
-    world.scale = CalibrationOrigin::Wand;
-    world.scaleError = accuracy ? accuracy->scale95 : std::nullopt;
-    world.check.reset();
+  if (refinement.result.scaleMethod != WandScale::InitialRig) {
+    world.scaleOrigin = CalibrationOrigin::Wand;
+    world.scaleError = accuracy ? accuracy->scaleError95 : std::nullopt;
+    world.lengthCheck.reset();
   }
-  if (refinement.result.floorFound || refinement.result.freeFall) {
-    world.floor = CalibrationOrigin::Wand;
+  if (refinement.result.isFloorFound || refinement.result.freeFall) {
+    world.floorOrigin = CalibrationOrigin::Wand;
   }
-  world.accuracy = accuracy ? std::optional(accuracy->position95) : std::nullopt;
-  world.errorOutsideVolume = accuracy ? accuracy->outsidePosition95 : std::nullopt;
+  world.errorInsideVolume = accuracy ? std::optional(accuracy->positionError95) : std::nullopt;
+  world.errorOutsideVolume = accuracy ? accuracy->outsidePositionError95 : std::nullopt;
 }
 
 } // namespace
 
 bool isInaccurate(const WandRefinement& refinement) {
   return refinement.accuracy &&
-         refinement.accuracy->cameraPart95 > refinement.options.initialPositionError;
+         refinement.accuracy->positionErrorFromCameras95 > refinement.options.initialPositionError;
 }
 
 bool isUnnecessary(const WandRefinement& refinement) {
@@ -132,7 +132,7 @@ bool isUnnecessary(const WandRefinement& refinement) {
          *refinement.beforePx <= refinement.accuracy->leftOutRmsPx;
 }
 
-std::string unnecessaryText(const WandRefinement& refinement) {
+std::string unnecessaryRefinementText(const WandRefinement& refinement) {
   return fmt::format("the old cameras fit the images as well ({:.2f} px) as the new ones ({:.2f} "
                      "px in images that they were not computed from): keep the old ones, or wave "
                      "longer and through more of the volume",
@@ -150,7 +150,7 @@ double newPositionError(const WandRefinement& refinement) {
   return largest;
 }
 
-bool isKnownBetter(const WandRefinement& refinement) {
+bool areOldCamerasMoreAccurate(const WandRefinement& refinement) {
   if (!refinement.wasCalibratedBefore || !refinement.beforePx || !refinement.accuracy ||
       refinement.accuracy->leftOutPointCount == 0 ||
       *refinement.beforePx >= kContradicted * refinement.accuracy->leftOutRmsPx) {
@@ -162,7 +162,7 @@ bool isKnownBetter(const WandRefinement& refinement) {
   return !refinement.gaps.empty() && refinement.gaps.front().severity >= kSevereGap;
 }
 
-std::string knownBetterText(const WandRefinement& refinement) {
+std::string oldCamerasMoreAccurateText(const WandRefinement& refinement) {
   if (!refinement.beforeError) {
     return "the cameras were calibrated before, and the motion in this recording is not enough to "
            "improve that calibration: keep the old cameras";
@@ -206,7 +206,7 @@ std::string farOffText(const FarOffCamera& camera, const CameraRig& rig) {
 
 bool isDoubtful(const WandRefinement& refinement) {
   return !refinement.result.faults.empty() || isInaccurate(refinement) ||
-         isUnnecessary(refinement) || isKnownBetter(refinement);
+         isUnnecessary(refinement) || areOldCamerasMoreAccurate(refinement);
 }
 
 Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,
@@ -225,15 +225,15 @@ Result<WandRefinement> refineFromViews(const Project& project,
 Project withRefinement(Project project, const WandRefinement& refinement) {
   const WandResult& result = refinement.result;
   project = withCameras(std::move(project), result.cameras);
-  if (refinement.options.estimateTimeOffsets) {
+  if (refinement.options.estimatesTimeOffsets) {
     project = withTimeOffsets(std::move(project), result.timeOffsets);
   }
   recordCameras(refinement, project);
-  recordWorld(refinement, project.calibrated);
+  recordWorld(refinement, project.worldRecord);
   return project;
 }
 
-std::vector<BoardCoverage> coverageOf(const WandResult& result) {
+std::vector<BoardCoverage> ballCoverageOf(const WandResult& result) {
   std::vector<BoardCoverage> coverage(result.cameras.size());
   for (const BundleObservation& seen : result.problem.observations) {
     const Intrinsics& image = result.cameras[seen.camera].intrinsics;
@@ -245,13 +245,13 @@ std::vector<BoardCoverage> coverageOf(const WandResult& result) {
 
 std::string htmlText(const WandRefinement& refinement) {
   WandReport report;
-  report.before = refinement.camerasBefore;
+  report.initialRig = refinement.camerasBefore;
   report.result = refinement.result;
-  report.accuracy = refinement.accuracy
+  report.accuracyText = refinement.accuracy
                         ? accuracySummary(*refinement.accuracy)
                         : "Accuracy unknown: " + errorSentence(refinement.accuracy.error());
-  report.coverage = coverageOf(refinement.result);
-  report.hasTimeOffsets = refinement.options.estimateTimeOffsets;
+  report.coverage = ballCoverageOf(refinement.result);
+  report.hasTimeOffsets = refinement.options.estimatesTimeOffsets;
   for (const MotionGap& gap : refinement.gaps) {
     report.notices.push_back(motionGapText(gap, refinement.camerasBefore));
   }

@@ -45,7 +45,7 @@ bool isInaccurate(const WandRefinement& refinement);
 bool isUnnecessary(const WandRefinement& refinement);
 
 /// Returns a sentence that says that the old cameras fit the images as well as the new ones.
-std::string unnecessaryText(const WandRefinement& refinement);
+std::string unnecessaryRefinementText(const WandRefinement& refinement);
 
 /// Returns whether the old cameras (`wasCalibratedBefore`) are known more accurately than the new
 /// ones, and the images do not contradict the old ones. The old cameras are known more accurately
@@ -56,10 +56,10 @@ std::string unnecessaryText(const WandRefinement& refinement);
 /// The images contradict the old cameras if the old reprojection error is at least three times the
 /// new one. A camera was then probably moved. Errors that all images share cause smaller
 /// differences, for example if hands always hide the same part of a ball.
-bool isKnownBetter(const WandRefinement& refinement);
+bool areOldCamerasMoreAccurate(const WandRefinement& refinement);
 
 /// Returns a sentence that says that the old cameras are known more accurately.
-std::string knownBetterText(const WandRefinement& refinement);
+std::string oldCamerasMoreAccurateText(const WandRefinement& refinement);
 
 /// Returns the largest standard deviation of the new camera positions, meters; 0 if it is unknown.
 double newPositionError(const WandRefinement& refinement);
@@ -79,8 +79,8 @@ std::vector<FarOffCamera> farOffCameras(const WandRefinement& refinement);
 std::string farOffText(const FarOffCamera& camera, const CameraRig& rig);
 
 /// Returns whether a known fault, such as exchanged cameras, explains the views better than this
-/// result does, or isInaccurate(), isUnnecessary() or isKnownBetter() is true. If so, ask the user
-/// before you store the result in the project.
+/// result does, or isInaccurate(), isUnnecessary() or areOldCamerasMoreAccurate() is true. If so,
+/// ask the user before you store the result in the project.
 bool isDoubtful(const WandRefinement& refinement);
 
 /// Calibrates the cameras from a recording of a wand (calibrateFromRecording()), and assesses the
@@ -103,7 +103,7 @@ Project withRefinement(Project project, const WandRefinement& refinement);
 
 /// Returns, for each camera, the regions of its image that contain ball detections used in the
 /// calibration.
-std::vector<BoardCoverage> coverageOf(const WandResult& result);
+std::vector<BoardCoverage> ballCoverageOf(const WandResult& result);
 
 /// Returns the report about a wand calibration as one self-contained HTML page.
 std::string htmlText(const WandRefinement& refinement);

@@ -8,7 +8,7 @@ namespace {
 
 std::optional<double> instantOf(const std::vector<MarkedInstant>& instants, WandEvent event) {
   const auto found = std::ranges::find(instants, event, &MarkedInstant::event);
-  return found != instants.end() ? std::optional(found->seconds) : std::nullopt;
+  return found != instants.end() ? std::optional(found->recordingTime) : std::nullopt;
 }
 
 } // namespace
@@ -18,7 +18,7 @@ void addInstant(std::vector<MarkedInstant>& instants, const MarkedInstant& taken
     return instant == taken || (taken.event != WandEvent::Floor && instant.event == taken.event);
   });
   instants.push_back(taken);
-  std::ranges::stable_sort(instants, {}, &MarkedInstant::seconds);
+  std::ranges::stable_sort(instants, {}, &MarkedInstant::recordingTime);
 }
 
 std::vector<std::string> selectedTargets(const WandSettings& settings, const Project& project) {
@@ -70,23 +70,23 @@ WandOptions toWandOptions(const WandSettings& settings, const std::vector<Marked
   options.usesBallDiameter =
       !settings.usesStick && settings.scaleSource == WandScaleSource::Diameter;
   if (!settings.usesStick && settings.scaleSource == WandScaleSource::Distance) {
-    options.distance = TouchedDistance{instantOf(instants, WandEvent::DistanceFrom).value_or(0.0),
-                                       instantOf(instants, WandEvent::DistanceTo).value_or(0.0),
-                                       settings.distance};
+    options.touchedDistance = TouchedDistance{
+        instantOf(instants, WandEvent::DistanceFrom).value_or(0.0),
+        instantOf(instants, WandEvent::DistanceTo).value_or(0.0), settings.touchedDistance};
   }
   for (const MarkedInstant& instant : instants) {
     if (instant.event == WandEvent::Floor) {
-      options.floorTimes.push_back(instant.seconds);
+      options.floorTimes.push_back(instant.recordingTime);
     }
   }
   const auto begin = instantOf(instants, WandEvent::FallBegins);
   const auto end = instantOf(instants, WandEvent::FallEnds);
   if (begin && end) {
-    options.fallSpan = std::array<double, 2>{*begin, *end};
+    options.freeFallSpan = std::array<double, 2>{*begin, *end};
   }
-  options.estimateTimeOffsets = settings.estimateTimeOffsets;
-  options.estimateFocalLengths = settings.estimateFocalLengths;
-  options.estimateDistortion = settings.estimateDistortion;
+  options.estimatesTimeOffsets = settings.estimatesTimeOffsets;
+  options.estimatesFocalLengths = settings.estimatesFocalLengths;
+  options.estimatesDistortion = settings.estimatesDistortion;
   options.initialPositionError = settings.initialPositionError;
   options.initialRotationError = settings.initialRotationError;
   if (settings.usesOnlySelectedFrames && selected) {

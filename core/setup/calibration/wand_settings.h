@@ -30,10 +30,10 @@ struct WandSettings {
   WandScaleSource scaleSource =
       WandScaleSource::Cameras; ///< source of the scale if the wand is one ball
   /// For WandScaleSource::Distance: distance between the two touched positions, meters.
-  double distance = 1.0;
-  bool estimateTimeOffsets = false;
-  bool estimateFocalLengths = false;
-  bool estimateDistortion = false;
+  double touchedDistance = 1.0;
+  bool estimatesTimeOffsets = false;
+  bool estimatesFocalLengths = false;
+  bool estimatesDistortion = false;
   bool usesOnlySelectedFrames = false; ///< true to search only the frames that the user selected
   /// Possible error of the project's camera positions, meters.
   double initialPositionError = WandOptions().initialPositionError;
@@ -47,10 +47,11 @@ struct WandSettings {
 enum class WandEvent { Floor, DistanceFrom, DistanceTo, FallBegins, FallEnds };
 constexpr int kWandEventCount = 5;
 
-/// Time marked by the user, and the event at this time. `seconds` is the time in the recording.
+/// Time marked by the user, and the event at this time. `recordingTime` is the time in the
+/// recording, in seconds.
 struct MarkedInstant {
   std::int64_t frame = 0;
-  double seconds = 0.0;
+  double recordingTime = 0.0;
   WandEvent event = WandEvent::Floor;
 
   bool operator==(const MarkedInstant&) const = default;

@@ -41,7 +41,7 @@ Result<std::vector<const Target*>> selectedBalls(const Project& project,
 Result<std::vector<std::vector<MarkerObservation>>>
 searchThrough(const Project& project, FrameSetSource& source, const WandOptions& options,
               const WandCalibrationCallback& callback) {
-  const auto colors = wandColors(project, options);
+  const auto colors = wandColorClassifiers(project, options);
   if (!colors) {
     return tl::make_unexpected(colors.error());
   }
@@ -92,11 +92,11 @@ void WandViews::add(const FrameSet& frames) {
   }
 }
 
-std::vector<std::vector<MarkerObservation>> WandViews::take() {
+std::vector<std::vector<MarkerObservation>> WandViews::takeViews() {
   return std::exchange(views_, std::vector<std::vector<MarkerObservation>>(views_.size()));
 }
 
-Result<WandProblem> wandProblem(const Project& project, const WandOptions& options) {
+Result<WandProblem> makeWandProblem(const Project& project, const WandOptions& options) {
   const auto balls = selectedBalls(project, options);
   if (!balls) {
     return tl::make_unexpected(balls.error());
@@ -109,23 +109,23 @@ Result<WandProblem> wandProblem(const Project& project, const WandOptions& optio
     problem.ballRadii.at(ball) = (*balls)[ball]->radius;
   }
   problem.stickLength = options.stickLength;
-  problem.scale = options.stickLength > 0.0  ? WandScale::Stick
-                  : options.distance         ? WandScale::Distance
+  problem.scaleMethod = options.stickLength > 0.0  ? WandScale::Stick
+                  : options.touchedDistance         ? WandScale::Distance
                   : options.usesBallDiameter ? WandScale::Diameter
                                              : WandScale::InitialRig;
-  problem.distance = options.distance.value_or(TouchedDistance{});
+  problem.distance = options.touchedDistance.value_or(TouchedDistance{});
   problem.floorTimes = options.floorTimes;
-  problem.fallSpan = options.fallSpan;
-  problem.estimateTimeOffsets = options.estimateTimeOffsets;
-  problem.estimateFocalLengths = options.estimateFocalLengths;
-  problem.estimateDistortion = options.estimateDistortion;
+  problem.freeFallSpan = options.freeFallSpan;
+  problem.estimatesTimeOffsets = options.estimatesTimeOffsets;
+  problem.estimatesFocalLengths = options.estimatesFocalLengths;
+  problem.estimatesDistortion = options.estimatesDistortion;
   problem.initialPositionError = options.initialPositionError;
   problem.initialRotationError = options.initialRotationError;
   return problem;
 }
 
-Result<std::vector<ColorClassifier>> wandColors(const Project& project,
-                                                const WandOptions& options) {
+Result<std::vector<ColorClassifier>> wandColorClassifiers(const Project& project,
+                                                          const WandOptions& options) {
   return selectedBalls(project, options).map([](const std::vector<const Target*>& balls) {
     std::vector<ColorClassifier> colors;
     colors.reserve(balls.size());
@@ -140,15 +140,15 @@ Result<WandResult> calibrateFromViews(const Project& project,
                                       const std::vector<std::vector<MarkerObservation>>& views,
                                       const WandOptions& options,
                                       const WandCalibrationCallback& callback) {
-  auto problem = wandProblem(project, options);
+  auto problem = makeWandProblem(project, options);
   if (!problem) {
     return tl::make_unexpected(problem.error());
   }
   problem->views = views;
   auto result = calibrateFromWand(*problem, [&](const WandProgress& now) {
-    return !callback || callback({false, now.step, now.steps, now.rms});
+    return !callback || callback({false, now.step, now.stepCount, now.rmsPx});
   });
-  if (result && options.estimateTimeOffsets) { // a camera that is late is none of the faults then
+  if (result && options.estimatesTimeOffsets) { // a camera that is late is none of the faults then
     problem->views = shiftedInTime(std::move(problem->views), result->timeOffsets);
   }
   const bool canceled = !result && result.error().code == ErrorCode::Canceled;

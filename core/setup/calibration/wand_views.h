@@ -27,7 +27,7 @@ public:
   /// Returns the detections of each camera, in the order of the frames.
   const std::vector<std::vector<MarkerObservation>>& views() const { return views_; }
   /// Returns the detections since the last call, and removes them from this object.
-  std::vector<std::vector<MarkerObservation>> take();
+  std::vector<std::vector<MarkerObservation>> takeViews();
   std::int64_t frameSetCount() const { return frameSets_; }
 
 private:
@@ -45,16 +45,16 @@ struct WandOptions {
   std::int64_t firstFrame = 0;
   /// One past the last frame that is searched; not set: up to the end.
   std::optional<std::int64_t> endFrame;
-  bool estimateTimeOffsets = false;
-  bool estimateFocalLengths = false;
-  bool estimateDistortion = false;
+  bool estimatesTimeOffsets = false;
+  bool estimatesFocalLengths = false;
+  bool estimatesDistortion = false;
   /// True to determine the scale from the radius of the ball in the project.
   bool usesBallDiameter = false;
-  std::optional<TouchedDistance> distance;
+  std::optional<TouchedDistance> touchedDistance;
   /// Times at which the first ball lies on the floor or touches it, seconds.
   std::vector<double> floorTimes;
   /// Times at which the ball begins and ends a free fall, seconds.
-  std::optional<std::array<double, 2>> fallSpan;
+  std::optional<std::array<double, 2>> freeFallSpan;
   /// Possible error of the project's camera positions, meters.
   double initialPositionError = kInitialPositionError;
   /// Possible error of the project's camera orientations, radians.
@@ -64,17 +64,19 @@ struct WandOptions {
 /// Creates the calibration problem for a project and options. It contains no views; the caller must
 /// add them. The initial rig and the radii of the balls come from the project; everything else
 /// comes from the options. Fails if a target is unknown or a stick has no length.
-Result<WandProblem> wandProblem(const Project& project, const WandOptions& options);
+Result<WandProblem> makeWandProblem(const Project& project, const WandOptions& options);
 /// Returns one color classifier per ball, made from the color of the target that is named in the
 /// options.
-Result<std::vector<ColorClassifier>> wandColors(const Project& project, const WandOptions& options);
+Result<std::vector<ColorClassifier>> wandColorClassifiers(const Project& project,
+                                                          const WandOptions& options);
 
 /// Progress of a calibration by wand.
 struct WandCalibrationProgress {
   bool isSearching = true; ///< true: searching the images; false: solving
-  std::int64_t done = 0;
-  std::int64_t total = 0; ///< number of steps of the search or solution in total; 0 if unknown
-  double rms = 0.0;       ///< reprojection error in pixels, while solving
+  std::int64_t doneStepCount = 0;
+  std::int64_t totalStepCount =
+      0;              ///< number of steps of the search or solution in total; 0 if unknown
+  double rmsPx = 0.0; ///< reprojection error in pixels, while solving
 };
 /// Function that receives the progress of a calibration. It returns false to stop the calibration.
 using WandCalibrationCallback = std::function<bool(const WandCalibrationProgress&)>;

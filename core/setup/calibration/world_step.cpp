@@ -21,7 +21,7 @@ using Positions = std::vector<Eigen::Vector3d>;
 Result<Positions> positionsOf(const CameraRig& rig, const std::vector<MeasuredPoint>& points) {
   Positions positions;
   for (const MeasuredPoint& point : points) {
-    const auto position = pointInRoom(rig, point);
+    const auto position = triangulatePoint(rig, point);
     if (!position) {
       return tl::make_unexpected(position.error());
     }
@@ -70,23 +70,23 @@ Result<FloorChange> changeOf(WorldStep step, const CameraRig& rig, const Positio
 
 void addRecord(WorldStep step, double meters, WorldRecord& record) {
   if (step == WorldStep::Floor || step == WorldStep::Level) {
-    record.floor = CalibrationOrigin::Marks;
+    record.floorOrigin = CalibrationOrigin::Marks;
   }
   if (step == WorldStep::Length) {
-    record.scale = CalibrationOrigin::Marks;
+    record.scaleOrigin = CalibrationOrigin::Marks;
     record.scaleError.reset(); // nobody knows how well the person measured
-    record.check = {meters, meters};
+    record.lengthCheck = {meters, meters};
   }
 }
 
 } // namespace
 
-Result<Gaussian3> pointInRoom(const CameraRig& rig, const MeasuredPoint& point) {
+Result<Gaussian3> triangulatePoint(const CameraRig& rig, const MeasuredPoint& point) {
   if (point.clicks.size() < 2) {
     return failure(ErrorCode::Undetermined, "", point.name,
                    "click this point in the images of at least two cameras");
   }
-  return clickedPosition(rig, point.clicks, std::nullopt).map_error([&](Error error) {
+  return positionFromClicks(rig, point.clicks, std::nullopt).map_error([&](Error error) {
     error.field = point.name;
     return error;
   });
@@ -104,9 +104,9 @@ Result<WorldStepResult> withWorldStep(const Project& project, WorldStep step,
   }
   return changeOf(step, rig, *positions, meters).map([&](const FloorChange& found) {
     Project changed = withMovedWorld(project, found.change);
-    addRecord(step, meters, changed.calibrated);
+    addRecord(step, meters, changed.worldRecord);
     return WorldStepResult{std::move(changed), vectorFromRotation(found.change.rotation).norm(),
-                           found.change.scale, found.rms};
+                           found.change.scale, found.rmsDistance};
   });
 }
 
@@ -116,12 +116,12 @@ Result<Project> withLengthCheck(Project project, const MeasuredPoint& from, cons
     return failure(ErrorCode::BadValue, "", "meters", "a positive distance is expected");
   }
   return positionsOf(rigOf(project), {from, to}).map([&](const Positions& ends) {
-    project.calibrated.check = {meters, (ends[1] - ends[0]).norm()};
+    project.worldRecord.lengthCheck = {meters, (ends[1] - ends[0]).norm()};
     return std::move(project);
   });
 }
 
-bool canTurnUpright(const Project& project) {
+bool canRotateUpright(const Project& project) {
   return uprightRotation(rigOf(project)).has_value();
 }
 

@@ -32,27 +32,27 @@ struct WorldStepResult {
 
 /// Returns the position of a point that was clicked in the images of at least two cameras (world
 /// frame, meters). Only the clicks of the point are used, not its measured position. Returns
-/// Undetermined if there is only one click, and otherwise the errors of clickedPosition(). The
+/// Undetermined if there is only one click, and otherwise the errors of positionFromClicks(). The
 /// field of an error is the name of the point.
-Result<Gaussian3> pointInRoom(const CameraRig& rig, const MeasuredPoint& point);
+Result<Gaussian3> triangulatePoint(const CameraRig& rig, const MeasuredPoint& point);
 
 /// Returns the project after one change of the world frame. `points` are the points of this step,
 /// in the order described in WorldStep. `meters` is the measured distance, for Length only.
 ///
 /// Returns BadValue with "points" if the number of points is wrong, and Undetermined with "cameras"
-/// if the images are already upright (Upright). Also returns the errors of pointInRoom() and of the
-/// functions in world_frame.h.
+/// if the images are already upright (Upright). Also returns the errors of triangulatePoint() and
+/// of the functions in world_frame.h.
 Result<WorldStepResult> withWorldStep(const Project& project, WorldStep step,
                                       const std::vector<MeasuredPoint>& points,
                                       double meters = 0.0);
 
-/// Returns the project with the check of a length stored in WorldRecord::check: the distance
+/// Returns the project with the check of a length stored in WorldRecord::lengthCheck: the distance
 /// measured in the room, and the distance computed from clicks on its ends. Nothing else changes.
-/// Returns the errors of pointInRoom(), or BadValue, which names "meters".
+/// Returns the errors of triangulatePoint(), or BadValue, which names "meters".
 Result<Project> withLengthCheck(Project project, const MeasuredPoint& from, const MeasuredPoint& to,
                                 double meters);
 
 /// Returns whether WorldStep::Upright would change the project, because its images are not upright.
-bool canTurnUpright(const Project& project);
+bool canRotateUpright(const Project& project);
 
 } // namespace dewpoint::setup

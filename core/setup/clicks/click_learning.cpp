@@ -18,7 +18,7 @@ namespace dewpoint::setup {
 namespace {
 
 bool isClick(const ColorSample& sample) {
-  return !sample.excluded && !sample.found;
+  return !sample.isExcluded && !sample.isFoundByGeometry;
 }
 
 bool hasClickAt(const std::vector<ColorSample>& samples, std::int64_t frame) {
@@ -29,7 +29,7 @@ bool hasClickAt(const std::vector<ColorSample>& samples, std::int64_t frame) {
 /// Whether there is one of this camera in the images of a frame.
 bool showsTarget(const std::vector<ColorSample>& samples, int camera, std::int64_t frame) {
   return std::ranges::any_of(samples, [&](const ColorSample& sample) {
-    return !sample.excluded && sample.camera == camera && sample.frame == frame;
+    return !sample.isExcluded && sample.camera == camera && sample.frame == frame;
   });
 }
 
@@ -38,9 +38,9 @@ std::vector<ColorSample> reorderedSamples(const std::vector<ColorSample>& sample
                                           std::int64_t frame) {
   std::vector<ColorSample> kept;
   std::ranges::copy_if(samples, std::back_inserter(kept),
-                       [](const ColorSample& sample) { return !sample.found; });
+                       [](const ColorSample& sample) { return !sample.isFoundByGeometry; });
   std::ranges::copy_if(samples, std::back_inserter(kept), [&](const ColorSample& sample) {
-    return sample.found && sample.frame != frame && hasClickAt(samples, sample.frame);
+    return sample.isFoundByGeometry && sample.frame != frame && hasClickAt(samples, sample.frame);
   });
   return kept;
 }
@@ -72,7 +72,7 @@ std::vector<ColorSample> samplesOfSameColor(const std::vector<ColorSample>& othe
   const BgrColor own = typicalColor(samples);
   std::vector<ColorSample> alike;
   std::ranges::copy_if(others, std::back_inserter(alike), [&](const ColorSample& sample) {
-    return !sample.excluded && sample.frame == frame && !sample.colors.empty() &&
+    return !sample.isExcluded && sample.frame == frame && !sample.colors.empty() &&
            color::colorDistance(color::medianColor(sample.colors), own) < kSameColorDistance;
   });
   return alike;
@@ -85,7 +85,7 @@ std::optional<PositionCorrection> correctionFrom(const std::vector<PointClick>& 
   if (centers.empty()) {
     return std::nullopt;
   }
-  const auto position = clickedPosition(rig, centers, std::nullopt);
+  const auto position = positionFromClicks(rig, centers, std::nullopt);
   if (!position) {
     return std::nullopt;
   }
@@ -118,7 +118,7 @@ public:
       }
     }
     for (std::size_t camera = 0; camera < undecided_.size(); ++camera) {
-      unite(counterparts.undecided[camera], undecided_[camera]);
+      unite(counterparts.undecidedMasks[camera], undecided_[camera]);
     }
   }
 
@@ -139,7 +139,7 @@ private:
   bool showsColor(const ColorSample& found) const {
     const BgrColor own = color::medianColor(found.colors);
     return std::ranges::any_of(lesson_.samples, [&](const ColorSample& sample) {
-      return !sample.excluded && sample.camera == found.camera && sample.frame == shown_.frame &&
+      return !sample.isExcluded && sample.camera == found.camera && sample.frame == shown_.frame &&
              color::colorDistance(color::medianColor(sample.colors), own) < kSameColorDistance;
     });
   }
@@ -182,7 +182,7 @@ Marked searchedFor(const CameraRig& rig, const std::vector<cv::Mat>& images,
   }
   Marked marked;
   marked.part = partInBox(images[camera], sample);
-  if (marked.part && !clickedObject(rig.at(camera), images[camera], marked.part->wholeObject)) {
+  if (marked.part && !findClickedObject(rig.at(camera), images[camera], marked.part->wholeObject)) {
     marked.part.reset(); // a wall, or a region that grew too far
   }
   if (marked.part) {
@@ -193,7 +193,7 @@ Marked searchedFor(const CameraRig& rig, const std::vector<cv::Mat>& images,
   }
   marked.counterparts = findCounterparts(rig, images, sample, limits);
   if (limits.radius > 0.0 && marked.counterparts.radius) {
-    const double wholePx = std::sqrt(sample.area / std::numbers::pi);
+    const double wholePx = std::sqrt(sample.areaPx / std::numbers::pi);
     marked.part =
         partAtClick(images[camera], sample, wholePx * limits.radius / *marked.counterparts.radius);
   }
@@ -210,9 +210,10 @@ Result<ClickLearningResult> learnFromClicks(const CameraRig& rig, const ClickedI
   lesson.samples = reorderedSamples(samples, shown.frame);
   const std::vector<ColorSample> alike = samplesOfSameColor(others, samples, shown.frame);
   CounterpartLimits known = limits;
-  known.excluded.insert(known.excluded.end(), alike.begin(), alike.end());
-  std::ranges::copy_if(samples, std::back_inserter(known.excluded), [&](const ColorSample& sample) {
-    return sample.excluded && sample.frame == shown.frame;
+  known.excludedSamples.insert(known.excludedSamples.end(), alike.begin(), alike.end());
+  std::ranges::copy_if(
+      samples, std::back_inserter(known.excludedSamples), [&](const ColorSample& sample) {
+    return sample.isExcluded && sample.frame == shown.frame;
   });
   FoundSamples found(shown, lesson);
   std::vector<PartMark> parts;
@@ -318,9 +319,9 @@ RadiusFit compareRadius(double given, double shown) {
 
 std::vector<ColorSample> withoutSample(std::vector<ColorSample> samples, std::size_t index) {
   ColorSample& sample = samples.at(index);
-  if (sample.found) {
-    sample.found = false;
-    sample.excluded = true;
+  if (sample.isFoundByGeometry) {
+    sample.isFoundByGeometry = false;
+    sample.isExcluded = true;
   } else {
     samples.erase(samples.begin() + static_cast<std::ptrdiff_t>(index));
   }

@@ -15,10 +15,10 @@ const PositionCorrection* correctionAt(const Project& project, std::int64_t fram
   return found == project.corrections.end() ? nullptr : &*found;
 }
 
-Result<PositionCorrection> clickedCorrection(const Project& project, const CameraRig& rig,
-                                             std::int64_t frame, int target,
-                                             const PointClick& click,
-                                             const std::optional<Gaussian3>& estimate) {
+Result<PositionCorrection> correctionFromClick(const Project& project, const CameraRig& rig,
+                                               std::int64_t frame, int target,
+                                               const PointClick& click,
+                                               const std::optional<Gaussian3>& estimate) {
   PositionCorrection correction;
   correction.frame = frame;
   correction.target = target;
@@ -31,7 +31,7 @@ Result<PositionCorrection> clickedCorrection(const Project& project, const Camer
   } else {
     correction.clicks.push_back(click);
   }
-  const auto found = clickedPosition(rig, correction.clicks, estimate);
+  const auto found = positionFromClicks(rig, correction.clicks, estimate);
   if (!found) {
     return tl::make_unexpected(found.error());
   }

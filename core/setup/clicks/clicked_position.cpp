@@ -138,8 +138,8 @@ Result<Gaussian3> pointOnRay(const CameraRig& rig, const PointClick& click, cons
 
 } // namespace
 
-Result<Gaussian3> clickedPosition(const CameraRig& rig, const std::vector<PointClick>& clicks,
-                                  const std::optional<Gaussian3>& estimate) {
+Result<Gaussian3> positionFromClicks(const CameraRig& rig, const std::vector<PointClick>& clicks,
+                                     const std::optional<Gaussian3>& estimate) {
   std::vector<ClickRay> rays;
   for (const PointClick& click : clicks) {
     const auto ray = rayOf(rig, click);

@@ -28,7 +28,7 @@ namespace dewpoint::setup {
 /// the name of a camera if its lens does not cover the clicked pixel, or if no other camera sees
 /// any part of the ray. Returns Undetermined with "clicks" if the rays do not meet in front of the
 /// cameras.
-Result<Gaussian3> clickedPosition(const CameraRig& rig, const std::vector<PointClick>& clicks,
-                                  const std::optional<Gaussian3>& estimate);
+Result<Gaussian3> positionFromClicks(const CameraRig& rig, const std::vector<PointClick>& clicks,
+                                     const std::optional<Gaussian3>& estimate);
 
 } // namespace dewpoint::setup

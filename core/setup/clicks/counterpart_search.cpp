@@ -112,7 +112,7 @@ CounterpartSearch::CounterpartSearch(const CameraRig& rig, const std::vector<cv:
       regions = regionsAlongRay(object, rig[camera], images[camera], likelihood,
                                 [this](double depth) { return isPossible(depth); });
       std::erase_if(regions, [&](const RayRegion& region) {
-        return containsExcluded(region, static_cast<int>(camera), limits.excluded);
+        return containsExcluded(region, static_cast<int>(camera), limits.excludedSamples);
       });
     }
   }
@@ -148,9 +148,9 @@ double CounterpartSearch::weigh(std::size_t camera, const RayRegion& region,
       sigma * sigma * Eigen::Matrix2d::Identity() + alongRay * alongRay.transpose();
   const Eigen::Vector2d off = region.center - *pixel;
   const double expectedArea = std::numbers::pi * radiusPx * radiusPx;
-  return kRegionPrior + kColorWeight * region.meanLogRatio -
+  return kRegionPrior + kColorWeight * region.meanLogLikelihoodRatio -
          0.5 * off.dot(covariance.inverse() * off) +
-         gauss(std::log(region.area / expectedArea) / kLogAreaSigma);
+         gauss(std::log(region.areaPx / expectedArea) / kLogAreaSigma);
 }
 
 std::optional<Hypothesis> CounterpartSearch::hypothesisOf(std::size_t camera,
@@ -222,10 +222,10 @@ void CounterpartSearch::decide(std::size_t camera, const std::vector<double>& pr
   const auto& regions = regions_[camera];
   for (std::size_t i = 0; i < regions.size(); ++i) {
     ColorSample sample;
-    sample.found = true;
+    sample.isFoundByGeometry = true;
     sample.camera = static_cast<int>(camera);
-    sample.x = regions[i].seed.x;
-    sample.y = regions[i].seed.y;
+    sample.x = regions[i].seedPixel.x;
+    sample.y = regions[i].seedPixel.y;
     const auto taken = probabilities[i] >= kAcceptProbability
                            ? color::takeSample(images_[camera], sample)
                            : Result<ColorSample>(sample);
@@ -236,11 +236,11 @@ void CounterpartSearch::decide(std::size_t camera, const std::vector<double>& pr
       counterparts.samples.push_back(*taken);
       counterparts.outlines.push_back(outlines.front());
       counterparts.centers.push_back({sample.camera, regions[i].center});
-      counterparts.undecided[camera].release();
+      counterparts.undecidedMasks[camera].release();
       return;
     }
     if (probabilities[i] > kRejectProbability) {
-      cv::Mat& mask = counterparts.undecided[camera];
+      cv::Mat& mask = counterparts.undecidedMasks[camera];
       mask = mask.empty() ? regions[i].mask.clone() : cv::Mat(mask | regions[i].mask);
     }
   }
@@ -252,7 +252,7 @@ double CounterpartSearch::radiusOf(const Hypothesis& hypothesis) const {
   double count = 1.0;
   for (std::size_t camera = 0; camera < rig_.size(); ++camera) {
     if (const auto& region = hypothesis.regions[camera]) {
-      const double radiusPx = std::sqrt(regions_[camera][*region].area / std::numbers::pi);
+      const double radiusPx = std::sqrt(regions_[camera][*region].areaPx / std::numbers::pi);
       const double distance = (hypothesis.position - rig_[camera].center()).norm();
       sum += std::log(radiusPx * distance / meanFocalLength(rig_[camera]));
       count += 1.0;
@@ -271,7 +271,7 @@ Counterparts CounterpartSearch::result() const {
     }
   }
   Counterparts counterparts;
-  counterparts.undecided.resize(rig_.size());
+  counterparts.undecidedMasks.resize(rig_.size());
   for (std::size_t camera = 0; camera < rig_.size(); ++camera) {
     decide(camera, probabilities(camera, hypotheses), counterparts);
   }
@@ -287,13 +287,13 @@ Counterparts CounterpartSearch::result() const {
 Counterparts findCounterparts(const CameraRig& rig, const std::vector<cv::Mat>& images,
                               const ColorSample& sample, const CounterpartLimits& limits) {
   Counterparts nothing;
-  nothing.undecided.resize(images.size());
+  nothing.undecidedMasks.resize(images.size());
   const auto camera = static_cast<std::size_t>(sample.camera);
   if (sample.camera < 0 || camera >= rig.size() || images.size() != rig.size() ||
       sample.colors.empty() || !isCalibrated(rig[camera], images[camera])) {
     return nothing;
   }
-  const auto object = clickedObject(rig[camera], images[camera], sample);
+  const auto object = findClickedObject(rig[camera], images[camera], sample);
   if (!object) {
     return nothing;
   }

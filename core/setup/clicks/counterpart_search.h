@@ -15,9 +15,10 @@ namespace dewpoint::setup {
 
 /// Detections, in other cameras, of an object clicked in one camera.
 struct Counterparts {
-  /// At most one sample per other camera, in camera order, with ColorSample::found set. Each sample
-  /// is a region of the image that lies on the projected ray of the click and has the size and
-  /// approximately the color expected there. The regions of all cameras agree on one position.
+  /// At most one sample per other camera, in camera order, with ColorSample::isFoundByGeometry set.
+  /// Each sample is a region of the image that lies on the projected ray of the click and has the
+  /// size and approximately the color expected there. The regions of all cameras agree on one
+  /// position.
   std::vector<ColorSample> samples;
   /// Outlines of these regions in the images, in the order of `samples`, in pixels.
   std::vector<std::vector<cv::Point>> outlines;
@@ -26,7 +27,7 @@ struct Counterparts {
   /// Per camera, CV_8UC1 of its image's size: 255 where the object may be, although no region was
   /// identified as the object. These pixels must not be learned as background. Empty if there are
   /// none.
-  std::vector<cv::Mat> undecided;
+  std::vector<cv::Mat> undecidedMasks;
   /// Radius, in meters, of a ball that would appear as large as the regions found and the region of
   /// the click. Empty if none was found. It is accurate to about one third, since regions end where
   /// the color ends.
@@ -39,7 +40,7 @@ struct CounterpartLimits {
   /// Volume in which the object may be, meters, world frame; empty: anywhere.
   std::optional<WorldBox> volume = {};
   /// Regions in images of the same frame that do not show the object.
-  std::vector<ColorSample> excluded = {};
+  std::vector<ColorSample> excludedSamples = {};
 };
 
 /// Searches the images of all other cameras for the object of a sample that was clicked in the

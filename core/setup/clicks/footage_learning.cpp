@@ -71,7 +71,7 @@ Result<FrameImages> takeSamples(FrameSetSource& source, std::vector<ColorSample>
 /// or a new one.
 Result<std::size_t> targetToLearn(Project& project, const FootageClicks& clicks) {
   auto& targets = project.targets;
-  const auto& name = clicks.target;
+  const auto& name = clicks.targetName;
   if (!name && targets.size() > 1) {
     return failure(ErrorCode::MissingKey, "", "target",
                    fmt::format("the project has {} targets", targets.size()));

@@ -18,7 +18,7 @@ struct FootageClicks {
   /// Color samples that the user clicked; the first one is on the target. Their colors are not set
   /// yet.
   std::vector<ColorSample> samples;
-  std::optional<std::string> target; ///< target name; empty: the only target, or "target 1"
+  std::optional<std::string> targetName; ///< target name; empty: the only target, or "target 1"
   /// Radius of the target, meters; empty: keep the radius in the project.
   std::optional<double> radius;
   std::optional<TargetShape> shape; ///< shape of the target; empty: keep the shape in the project
@@ -29,7 +29,7 @@ struct FootageLearningResult {
   Project project;        ///< project with the learned color
   std::size_t target = 0; ///< index of the target whose color was learned
   ClickLearningResult learningResult;
-  cv::Mat image; ///< image that contains the first click
+  cv::Mat clickedImage; ///< image that contains the first click
 };
 
 /// Learns the color of a target from clicks in a recording. The target is a target of the project,

@@ -69,10 +69,11 @@ public:
       : size_(image.size()) {
     cv::Mat steps(image.size(), CV_8SC1);
     for (int y = 0; y < image.rows; ++y) {
-      likelihood.logRatioRow(image.ptr<std::uint8_t>(y), image.cols, steps.ptr<std::int8_t>(y));
+      likelihood.computeLogRatioRow(image.ptr<std::uint8_t>(y), image.cols,
+                                    steps.ptr<std::int8_t>(y));
     }
     cv::Mat logRatios;
-    steps.convertTo(logRatios, CV_32F, color::ColorLikelihood::kStep);
+    steps.convertTo(logRatios, CV_32F, color::ColorLikelihood::kLogRatioStep);
     cv::integral(logRatios, sums_, CV_64F);
   }
 
@@ -167,15 +168,15 @@ std::optional<RayRegion> grow(const Spot& spot, const cv::Mat& image, const cv::
                         cv::Rect({0, 0}, image.size());
   const cv::Mat grown = color::growRegion(image(part), spot.at - part.tl());
   RayRegion region;
-  region.area = cv::countNonZero(grown);
-  if (!isObject(region.area, image)) {
+  region.areaPx = cv::countNonZero(grown);
+  if (!isObject(region.areaPx, image)) {
     return std::nullopt;
   }
-  region.seed = spot.at;
+  region.seedPixel = spot.at;
   region.mask = cv::Mat::zeros(image.size(), CV_8UC1);
   grown.copyTo(region.mask(part));
   region.center = centerOf(region.mask);
-  region.meanLogRatio = likelihood.meanLogRatio(image, near, region.mask);
+  region.meanLogLikelihoodRatio = likelihood.meanLogLikelihoodRatio(image, near, region.mask);
   return region;
 }
 
@@ -196,8 +197,8 @@ double ClickedObject::centerSigma(const Camera& camera, double radiusPx) {
   return std::hypot(kDirectionSigma * meanFocalLength(camera), kCenterSigmaInRadii * radiusPx);
 }
 
-std::optional<ClickedObject> clickedObject(const Camera& camera, const cv::Mat& image,
-                                           const ColorSample& sample) {
+std::optional<ClickedObject> findClickedObject(const Camera& camera, const cv::Mat& image,
+                                               const ColorSample& sample) {
   const cv::Mat region = color::regionOfSample(image, sample);
   const int area = cv::countNonZero(region);
   if (!isObject(area, image)) {

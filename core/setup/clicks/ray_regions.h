@@ -58,17 +58,17 @@ double meanFocalLength(const Camera& camera);
 /// Returns the object of a sample in its camera's image (CV_8UC3). Returns nothing if no region
 /// that may be an object grows from the sample, or if the lens does not cover the center of the
 /// region.
-std::optional<ClickedObject> clickedObject(const Camera& camera, const cv::Mat& image,
-                                           const ColorSample& sample);
+std::optional<ClickedObject> findClickedObject(const Camera& camera, const cv::Mat& image,
+                                               const ColorSample& sample);
 
-/// Region of an image, grown as if the user had clicked on `seed`.
+/// Region of an image, grown as if the user had clicked on `seedPixel`.
 struct RayRegion {
-  cv::Point seed;
+  cv::Point seedPixel;
   cv::Mat mask; ///< CV_8UC1 of the image's size, 255 inside the region
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< center of the region, pixels
-  double area = 0.0;                                ///< number of pixels in the region
+  double areaPx = 0.0;                              ///< number of pixels in the region
   /// Mean log likelihood ratio of the pixel colors: target against everything else, nats.
-  double meanLogRatio = 0.0;
+  double meanLogLikelihoodRatio = 0.0;
 };
 
 /// Returns at most eight regions of another camera's image (CV_8UC3) that may show the object. They

@@ -34,7 +34,7 @@ void removeColor(std::size_t index, Target& target) {
     return;
   }
   std::erase_if(target.samples, [&](const ColorSample& sample) {
-    return !sample.excluded && colorShown(sample, colors) == index;
+    return !sample.isExcluded && colorShown(sample, colors) == index;
   });
   std::vector<ColorRange> kept(colors.begin(), colors.end());
   kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(index));

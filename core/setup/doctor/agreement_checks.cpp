@@ -19,7 +19,7 @@ namespace {
 constexpr double kCheckedSeconds = 10.0;
 
 bool matchesScene(const ProjectCamera& camera) {
-  return camera.source == SourceKind::Simulation && !camera.adjusted;
+  return camera.source == SourceKind::Simulation && !camera.hasOwnCalibration;
 }
 
 } // namespace
@@ -42,7 +42,7 @@ void checkAgreement(Examination& examination) {
   }
   const CameraRig rig = rigOf(project);
   camera_motion::CameraAgreement agreement(rig);
-  while (agreement.found().empty()) {
+  while (agreement.disagreements().empty()) {
     const auto set = (*source)->next();
     if (!set) {
       examination.add(FindingKind::CannotOpen, {errorSentence(set.error())});
@@ -54,7 +54,7 @@ void checkAgreement(Examination& examination) {
     }
     agreement.watch(**set, project.targets);
   }
-  for (const camera_motion::CameraDisagreement& found : agreement.found()) {
+  for (const camera_motion::CameraDisagreement& found : agreement.disagreements()) {
     examination.add(FindingKind::CamerasDisagree,
                     {fmt::format("{:g}", kCheckedSeconds), describeDisagreement(found, rig)},
                     "camera");

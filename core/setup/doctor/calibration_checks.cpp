@@ -21,10 +21,10 @@ bool checkRigAlone(Examination& examination, const CameraRig& rig) {
   const auto faults = camera_motion::checkRig(rig);
   for (const camera_motion::CameraDisagreement& fault : faults) {
     if (fault.fault == camera_motion::CameraFault::Unit) {
-      examination.add(
-          FindingKind::UnitWrong,
-          {fmt::format("{:.0f}", calibration::cameraSpread(rig)), fmt::format("{:g}", fault.scale)},
-          "camera.calibration.translation");
+      examination.add(FindingKind::UnitWrong,
+                      {fmt::format("{:.0f}", calibration::cameraSpread(rig)),
+                       fmt::format("{:g}", fault.metersPerUnit)},
+                      "camera.calibration.translation");
     } else {
       examination.add(
           FindingKind::SamePose,
@@ -40,7 +40,7 @@ bool checkRigAlone(Examination& examination, const CameraRig& rig) {
   for (std::size_t k = 0; k < rig.size(); ++k) { // a principal point may lie in what was cropped
     read.rig[k] = recropped(rig[k], examination.project.cameras[k].crop, {});
   }
-  if (const auto plausible = calibration::checkPlausible(read, {}, ""); !plausible) {
+  if (const auto plausible = calibration::checkPlausibility(read, {}, ""); !plausible) {
     examination.add(FindingKind::CalibrationImplausible, {plausible.error().detail},
                     "camera.calibration");
     return true;

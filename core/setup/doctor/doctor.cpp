@@ -31,7 +31,8 @@ std::vector<Finding> examine(const Project& project, const ExaminationOptions& o
   return std::move(examination.findings);
 }
 
-std::vector<Finding> examineUnreadable(const std::filesystem::path& file, const Error& error) {
+std::vector<Finding> examineUnreadableProject(const std::filesystem::path& file,
+                                              const Error& error) {
   std::string reason = error.field.empty() ? "" : error.field + ": ";
   reason += errorPhrase(error.code);
   reason += error.detail.empty() ? "" : " (" + error.detail + ")";

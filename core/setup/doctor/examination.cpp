@@ -15,7 +15,7 @@ bool Examination::hasFinding(FindingKind kind) const {
 }
 
 std::string Examination::nameOf(std::size_t camera) const {
-  return cameraField(geometry::nameOrNumber(project.cameras[camera].camera, camera));
+  return quotedCameraName(geometry::nameOrNumber(project.cameras[camera].camera, camera));
 }
 
 std::string cameraKey(std::size_t camera, const char* key) {

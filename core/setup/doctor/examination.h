@@ -23,8 +23,9 @@ namespace dewpoint::setup {
 /// Options for checking a project.
 struct ExaminationOptions {
   /// Folder to which results would be written; empty: the folder of the project.
-  std::filesystem::path output = {};
-  bool everyFrame = false; ///< true to decode all frames, not only the first, middle and last ones
+  std::filesystem::path outputFolder = {};
+  bool decodesEveryFrame =
+      false; ///< true to decode all frames, not only the first, middle and last ones
   /// Function that opens the images of a project as a run would. If it is empty, checks that need
   /// images from all cameras are omitted.
   std::function<Result<std::unique_ptr<FrameSetSource>>(const Project&)> open = {};
@@ -42,7 +43,7 @@ struct CameraFootage {
   std::vector<std::int64_t> sequenceNumbers = {};
   /// First, middle and last image, CV_8UC3, rotated as the project specifies.
   std::vector<cv::Mat> images = {};
-  std::optional<CaptureTimes> times = {};
+  std::optional<CaptureTimes> captureTimes = {};
 };
 
 /// A project being examined, and the findings so far. Each check uses the results of the preceding

@@ -219,13 +219,13 @@ std::string fillPlaceholders(std::string_view words, const std::vector<std::stri
 std::string findingLine(const Finding& finding) {
   const FindingTexts& words = textsOf(finding.kind);
   std::string line = fmt::format("{:<8} {}", levelName(words.level),
-                                 fillPlaceholders(words.sentence, finding.values));
+                                 fillPlaceholders(words.description, finding.placeholderValues));
   if (!finding.file.empty() || !finding.field.empty()) {
     const bool both = !finding.file.empty() && !finding.field.empty();
     line += fmt::format(" ({}{}{})", finding.file, both ? ": " : "", finding.field);
   }
   if (!words.advice.empty()) {
-    line += " " + fillPlaceholders(words.advice, finding.values);
+    line += " " + fillPlaceholders(words.advice, finding.placeholderValues);
   }
   return line;
 }

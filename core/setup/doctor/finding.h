@@ -85,8 +85,8 @@ struct FindingTexts {
   FindingKind kind;
   std::string_view name; ///< identifier for programs, for example "recording-missing"
   FindingLevel level;
-  std::string_view sentence; ///< what was found
-  std::string_view advice;   ///< recommended action; empty if there is nothing to do
+  std::string_view description; ///< what was found
+  std::string_view advice;      ///< recommended action; empty if there is nothing to do
 };
 
 /// Returns the texts of all kinds of findings, in the order of FindingKind.
@@ -97,7 +97,7 @@ const FindingTexts& textsOf(FindingKind kind);
 /// A finding of a check, and the file and field it refers to.
 struct Finding {
   FindingKind kind = FindingKind::ProjectRead;
-  std::vector<std::string> values = {}; ///< values for the placeholders in the texts
+  std::vector<std::string> placeholderValues = {}; ///< values for the placeholders in the texts
   std::string file = {};  ///< file to which the finding refers; empty if it refers to no file
   std::string field = {}; ///< name of the field in the project file; may be empty
 

@@ -31,7 +31,7 @@ void checkObstacle(Examination& examination) {
     break;
   case MethodObstacle::TooFewCameras:
     examination.add(FindingKind::NeedsMoreCameras,
-                    {project.method, std::to_string(method->family.minCameras),
+                    {project.method, std::to_string(method->family.minCameraCount),
                      std::to_string(project.cameras.size())},
                     "method");
     break;
@@ -83,14 +83,14 @@ void checkCorrectionFrames(Examination& examination) {
   }
   const auto isLate = [end](const auto& one) { return one.frame >= end; };
   const auto late = std::ranges::count_if(examination.project.corrections, isLate) +
-                    std::ranges::count_if(examination.project.people, isLate);
+                    std::ranges::count_if(examination.project.personCorrections, isLate);
   if (end > 0 && late > 0) {
     examination.add(FindingKind::CorrectionTooLate, {std::to_string(late)}, "correction.frame");
   }
 }
 
 void checkTruth(Examination& examination) {
-  if (const auto& truth = examination.project.truth) {
+  if (const auto& truth = examination.project.truthFile) {
     if (const auto read = readTrajectory(*truth); !read) {
       examination.addForFile(truth->string(), FindingKind::TruthUnusable,
                              {messageWithoutFile(read.error())});

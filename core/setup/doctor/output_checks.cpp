@@ -28,8 +28,8 @@ std::filesystem::path existingFolder(std::filesystem::path folder) {
 } // namespace
 
 void checkOutput(Examination& examination) {
-  const std::filesystem::path wanted = !examination.options.output.empty()
-                                           ? examination.options.output
+  const std::filesystem::path wanted = !examination.options.outputFolder.empty()
+                                           ? examination.options.outputFolder
                                            : examination.project.file.parent_path();
   const std::filesystem::path folder = existingFolder(wanted.empty() ? "." : wanted);
   if (::access(folder.c_str(), W_OK) != 0) {

@@ -66,7 +66,7 @@ public:
     auto reader =
         camera_.source == SourceKind::Video
             ? openVideoReader(camera_.location, "",
-                              recordedStamps(camera_.times,
+                              readRecordedStamps(camera_.captureTimeFile,
                                              captureTimeIds(camera_.camera.name, camera_.location)))
             : openImageFolderReader(camera_.location, "");
     if (!reader) {
@@ -91,7 +91,7 @@ public:
 
 private:
   ImageShape shape() const {
-    return {"", camera_.rotateDegrees, 0, 0, camera_.mirrored, camera_.crop};
+    return {"", camera_.rotateDegrees, 0, 0, camera_.isMirrored, camera_.crop};
   }
 
   /// Reads a frame and keeps its image. False: it could not be read, which was reported.
@@ -132,13 +132,13 @@ private:
     kept.erase(0);
     for (std::int64_t frame = 1; frame <= last; ++frame) {
       const bool isKept = kept.contains(frame);
-      if (!isKept && !examination_.options.everyFrame) {
+      if (!isKept && !examination_.options.decodesEveryFrame) {
         continue;
       }
       if (!(isKept ? take(reader, frame) : readAs(reader, frame).has_value())) {
         return;
       }
-      if (examination_.options.everyFrame && !reportProgress(frame)) {
+      if (examination_.options.decodesEveryFrame && !reportProgress(frame)) {
         return;
       }
     }
@@ -167,7 +167,7 @@ private:
   void checkGaps(const FrameReader& reader) {
     const std::int64_t length =
         CaptureSchedule::frameSetCountOf({footage_.frameCount, 0.0, {}, footage_.sequenceNumbers});
-    if (length > footage_.frameCount && camera_.times.empty()) {
+    if (length > footage_.frameCount && camera_.captureTimeFile.empty()) {
       hasFault_ = true;
       examination_.addForFile(camera_.location, FindingKind::ImagesMissing,
                               {name_, std::to_string(length - footage_.frameCount),
@@ -204,9 +204,9 @@ void checkLive(Examination& examination, std::size_t number) {
     return;
   }
   if (!camera.device.identity.isEmpty()) {
-    const auto devices = systemDevices()->list();
+    const auto devices = systemDevices()->listDevices();
     const bool isConnected =
-        matchProjectDevices(examination.project, devices).at(number).device.has_value();
+        matchProjectDevices(examination.project, devices).at(number).deviceIndex.has_value();
     examination.add(isConnected ? FindingKind::DeviceFound : FindingKind::DeviceMissing,
                     isConnected ? std::vector{name}
                                 : std::vector{name, describe(camera.device.identity)},
@@ -223,15 +223,15 @@ void checkLive(Examination& examination, std::size_t number) {
 
 void checkBackgroundImage(Examination& examination, std::size_t number) {
   const ProjectCamera& camera = examination.project.cameras[number];
-  if (camera.backgroundImage.empty()) {
+  if (camera.backgroundImageFile.empty()) {
     return;
   }
   const Intrinsics& size = camera.camera.intrinsics;
-  const auto read =
-      readBackgroundImage(camera.backgroundImage, {"", camera.rotateDegrees, size.width,
-                                                   size.height, camera.mirrored, camera.crop});
+  const auto read = readBackgroundImage(
+      camera.backgroundImageFile,
+      {"", camera.rotateDegrees, size.width, size.height, camera.isMirrored, camera.crop});
   if (!read) {
-    examination.addForFile(camera.backgroundImage, FindingKind::BackgroundImageUnusable,
+    examination.addForFile(camera.backgroundImageFile, FindingKind::BackgroundImageUnusable,
                            {examination.nameOf(number), messageWithoutFile(read.error())});
   }
 }
@@ -269,7 +269,7 @@ void compareLengths(Examination& examination) {
   std::string list;
   for (std::size_t k = 0; k < examination.footage.size(); ++k) {
     const CameraFootage& footage = examination.footage[k];
-    if (!footage.isOpen || !examination.project.cameras[k].times.empty()) {
+    if (!footage.isOpen || !examination.project.cameras[k].captureTimeFile.empty()) {
       continue;
     }
     const std::int64_t length =

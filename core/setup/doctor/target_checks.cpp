@@ -115,7 +115,7 @@ void checkExposure(Examination& examination, std::size_t number) {
   for (const ColorSample& sample : target.samples) {
     const auto camera = static_cast<std::size_t>(sample.camera);
     for (std::size_t k = 0;
-         !sample.excluded && camera < exposures.size() && k < sample.colors.size(); ++k) {
+         !sample.isExcluded && camera < exposures.size() && k < sample.colors.size(); ++k) {
       exposures[camera].add(sample.colors[k]);
     }
   }

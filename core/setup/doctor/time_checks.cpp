@@ -32,7 +32,7 @@ void compareRates(Examination& examination) {
   bool isOverridden = false;
   for (std::size_t k = 0; k < examination.footage.size(); ++k) {
     const double rate = examination.footage[k].framesPerSecond;
-    if (rate <= 0.0 || examination.footage[k].times) {
+    if (rate <= 0.0 || examination.footage[k].captureTimes) {
       continue;
     }
     first = first > 0.0 ? first : rate;
@@ -52,7 +52,7 @@ void compareRates(Examination& examination) {
 
 void noteAssumedRate(Examination& examination) {
   const auto tells = [](const CameraFootage& footage) {
-    return footage.framesPerSecond > 0.0 || footage.times;
+    return footage.framesPerSecond > 0.0 || footage.captureTimes;
   };
   const auto isOpen = [](const CameraFootage& footage) { return footage.isOpen; };
   if (examination.project.framesPerSecond == 0.0 &&
@@ -66,33 +66,33 @@ void noteAssumedRate(Examination& examination) {
 /// Reads the tables of times, those that can be.
 void readTables(Examination& examination) {
   const auto& cameras = examination.project.cameras;
-  const bool any =
-      std::ranges::any_of(cameras, [](const ProjectCamera& one) { return !one.times.empty(); });
+  const bool any = std::ranges::any_of(
+      cameras, [](const ProjectCamera& one) { return !one.captureTimeFile.empty(); });
   for (std::size_t k = 0; any && k < cameras.size(); ++k) {
     const ProjectCamera& camera = cameras[k];
     CameraFootage& footage = examination.footage[k];
     const std::string name = examination.nameOf(k);
-    if (camera.times.empty()) {
+    if (camera.captureTimeFile.empty()) {
       examination.add(FindingKind::TimesIncomplete, {name}, cameraKey(k, "times"));
       continue;
     }
-    auto times =
-        readCaptureTimes(camera.times, captureTimeIds(camera.camera.name, camera.location), "");
+    auto times = readCaptureTimes(camera.captureTimeFile,
+                                  captureTimeIds(camera.camera.name, camera.location), "");
     if (!times) {
-      examination.addForFile(camera.times, FindingKind::TimesUnusable,
+      examination.addForFile(camera.captureTimeFile, FindingKind::TimesUnusable,
                              {name, messageWithoutFile(times.error())});
       continue;
     }
-    if (footage.isOpen && completenessOf(camera.times) == TableCompleteness::CutOff) {
+    if (footage.isOpen && completenessOf(camera.captureTimeFile) == TableCompleteness::CutOff) {
       footage.frameCount = std::min<std::int64_t>(footage.frameCount, std::ssize(*times));
       times->resize(static_cast<std::size_t>(footage.frameCount));
     }
     if (footage.isOpen && std::ssize(*times) != footage.frameCount) {
       examination.addForFile(
-          camera.times, FindingKind::TimesCountDiffers,
+          camera.captureTimeFile, FindingKind::TimesCountDiffers,
           {name, std::to_string(times->size()), std::to_string(footage.frameCount)});
     } else {
-      footage.times = std::move(*times);
+      footage.captureTimes = std::move(*times);
     }
   }
 }
@@ -102,10 +102,11 @@ void compareTables(Examination& examination) {
   std::vector<CaptureSchedule::CameraImages> pictures;
   for (std::size_t k = 0; k < examination.footage.size(); ++k) {
     const CameraFootage& footage = examination.footage[k];
-    if (!footage.times) {
+    if (!footage.captureTimes) {
       return;
     }
-    pictures.push_back({footage.frameCount, examination.project.cameras[k].delay, footage.times});
+    pictures.push_back(
+        {footage.frameCount, examination.project.cameras[k].delay, footage.captureTimes});
   }
   const double rate = pictures.empty() ? 0.0 : CaptureSchedule::highestRateOf(pictures);
   if (rate > 0.0 && CaptureSchedule(pictures, rate).frameCount() == 0) {
@@ -121,7 +122,7 @@ void checkDelays(Examination& examination) {
                         : examination.project.framesPerSecond > 0.0
                             ? examination.project.framesPerSecond
                             : kDefaultFramesPerSecond;
-    const bool isTooLong = footage.isOpen && !footage.times &&
+    const bool isTooLong = footage.isOpen && !footage.captureTimes &&
                            std::abs(delay) * rate >= static_cast<double>(footage.frameCount);
     if (isTooLong || std::abs(delay) > kUnusualDelay) {
       examination.add(isTooLong ? FindingKind::DelayTooLong : FindingKind::DelayUnusual,

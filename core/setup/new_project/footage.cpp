@@ -156,7 +156,7 @@ bool isBeforeInDisplayOrder(const std::string& name, const std::string& other) {
   return std::is_neq(order) ? std::is_lt(order) : name < other;
 }
 
-std::vector<std::string> inNaturalOrder(std::vector<std::string> files) {
+std::vector<std::string> sortedInNaturalOrder(std::vector<std::string> files) {
   std::ranges::stable_sort(files, [](const std::string& one, const std::string& other) {
     return isBeforeInDisplayOrder(fs::path(one).filename().string(),
                                   fs::path(other).filename().string());
@@ -187,12 +187,12 @@ std::vector<std::string> footageIn(const fs::path& folder) {
       found.push_back(entry.path().string());
     }
   }
-  return inNaturalOrder(std::move(found));
+  return sortedInNaturalOrder(std::move(found));
 }
 
 std::vector<std::string> connectedCameras() {
   std::vector<std::string> paths;
-  for (const CameraDevice& device : systemDevices()->list()) {
+  for (const CameraDevice& device : systemDevices()->listDevices()) {
     paths.push_back(device.path);
   }
   return paths;

@@ -19,7 +19,7 @@ bool isBeforeInDisplayOrder(const std::string& name, const std::string& other);
 /// Returns files in natural order of their names without the folder ("camera 2" before "camera
 /// 10"). Use this function for files that a user has chosen: their order is arbitrary, but the
 /// cameras of a calibration may be matched to them by order.
-std::vector<std::string> inNaturalOrder(std::vector<std::string> files);
+std::vector<std::string> sortedInNaturalOrder(std::vector<std::string> files);
 
 /// Returns whether a file may be a camera's recording, that is, a video or an image. This is
 /// decided by its suffix, or by its first bytes if the suffix is not conclusive. Only opening the

@@ -81,7 +81,7 @@ FootageDifferences footageDifferences(const std::vector<FootageFacts>& recording
     found.shortestFrameCount =
         std::ranges::min_element(recordings, {}, &FootageFacts::frameCount)->frameCount;
   }
-  found.sizesDiffer = differ(recordings, [](const auto& a, const auto& b) {
+  found.imageSizesDiffer = differ(recordings, [](const auto& a, const auto& b) {
     return a.width != b.width || a.height != b.height;
   });
   std::vector<double> rates;
@@ -92,7 +92,7 @@ FootageDifferences footageDifferences(const std::vector<FootageFacts>& recording
   }
   if (!rates.empty()) {
     const auto [least, most] = std::ranges::minmax(rates);
-    found.ratesDiffer = most > least * (1.0 + kRateTolerance);
+    found.frameRatesDiffer = most > least * (1.0 + kRateTolerance);
   }
   return found;
 }

@@ -31,8 +31,8 @@ Result<std::optional<FootageFacts>> readFootageFacts(const std::string& location
 struct FootageDifferences {
   /// Number of frames in the shortest recording, if the lengths differ.
   std::optional<std::int64_t> shortestFrameCount;
-  bool sizesDiffer = false;
-  bool ratesDiffer = false; ///< true if known frame rates differ by more than rounding
+  bool imageSizesDiffer = false;
+  bool frameRatesDiffer = false; ///< true if known frame rates differ by more than rounding
 
   bool operator==(const FootageDifferences&) const = default;
 };

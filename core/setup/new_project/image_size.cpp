@@ -14,8 +14,8 @@ Result<cv::Size> imageSizeOf(const ProjectCamera& camera) {
   RecordedCamera recorded = recordedCamera(camera);
   recorded.width = 0;
   recorded.height = 0;
-  recorded.times.clear();
-  recorded.delay = 0.0;
+  recorded.timesFile.clear();
+  recorded.delaySeconds = 0.0;
   auto source = openRecording({recorded}, 0.0);
   if (!source) {
     return tl::make_unexpected(source.error());

@@ -27,11 +27,11 @@ std::string nameOf(const NewCamera& camera, std::size_t index) {
   if (!camera.name.empty()) {
     return camera.name;
   }
-  if (!isRecording(camera.source)) {
+  if (!isRecording(camera.sourceKind)) {
     return defaultCameraName(index);
   }
   const std::filesystem::path path(camera.location);
-  const bool isFolder = camera.source == SourceKind::Images;
+  const bool isFolder = camera.sourceKind == SourceKind::Images;
   const auto name = isFolder && path.filename().empty() ? path.parent_path().filename()
                     : isFolder                          ? path.filename()
                                                         : path.stem();
@@ -161,7 +161,7 @@ SourceKind guessSourceKind(const std::string& location) {
 Result<CreatedProject> createNewProject(const NewProject& wanted) {
   CreatedProject made;
   Project& project = made.project;
-  if (wanted.cameras.size() == 1 && !wanted.calibration) {
+  if (wanted.cameras.size() == 1 && !wanted.calibrationFile) {
     project.method = methodWithoutCalibration(); // nothing else is of use
   }
   project.parameters = ParameterValues(methodParameters(project.method));
@@ -170,8 +170,8 @@ Result<CreatedProject> createNewProject(const NewProject& wanted) {
     const NewCamera& camera = wanted.cameras[i];
     ProjectCamera added;
     added.camera.name = nameOf(camera, i);
-    added.source = camera.source;
-    added.location = isRecording(camera.source) && !camera.location.empty()
+    added.source = camera.sourceKind;
+    added.location = isRecording(camera.sourceKind) && !camera.location.empty()
                          ? std::filesystem::absolute(camera.location).lexically_normal().string()
                          : camera.location;
     if (auto good = checkLocation(added); !good) {
@@ -184,7 +184,7 @@ Result<CreatedProject> createNewProject(const NewProject& wanted) {
   }
   makeDistinct(project.cameras);
   project.name = !wanted.name.empty() ? wanted.name : nameOf(project.cameras);
-  if (!wanted.calibration) {
+  if (!wanted.calibrationFile) {
     made.lacksCalibration = methodFamily(project.method).needsCalibration;
     for (std::size_t i = 0; i < project.cameras.size(); ++i) {
       if (auto guessed = guess(project.cameras, i); !guessed) {
@@ -193,7 +193,7 @@ Result<CreatedProject> createNewProject(const NewProject& wanted) {
     }
     return made;
   }
-  return withCalibration(std::move(project), *wanted.calibration, wanted.adaptation);
+  return withCalibration(std::move(project), *wanted.calibrationFile, wanted.adaptation);
 }
 
 Status guessMissingCameras(Project& project) {
@@ -256,16 +256,16 @@ Result<CreatedProject> withCalibration(Project project, const std::filesystem::p
   if (!rig) {
     return tl::make_unexpected(rig.error());
   }
-  if (const auto named = renameCameras(*rig, adaptation.names, file.string()); !named) {
+  if (const auto named = renameCameras(*rig, adaptation.cameraRenaming, file.string()); !named) {
     return tl::make_unexpected(named.error());
   }
-  return withCalibration(std::move(project), *rig, file.string(), adaptation.fit);
+  return withCalibration(std::move(project), *rig, file.string(), adaptation.sizeFit);
 }
 
 Result<CreatedProject> withCalibration(Project project, const CameraRig& rig,
                                        const std::string& file, const std::optional<SizeFit>& fit) {
   CreatedProject made;
-  auto ordered = matched(project.cameras, rig, file, made.wasMatchedByOrder);
+  auto ordered = matched(project.cameras, rig, file, made.wereCamerasMatchedByOrder);
   if (!ordered) {
     return tl::make_unexpected(ordered.error());
   }
@@ -277,13 +277,13 @@ Result<CreatedProject> withCalibration(Project project, const CameraRig& rig,
     if (const auto fits = fitCalibration(cameras[i], fit, file, made.decisions); !fits) {
       return tl::make_unexpected(fits.error());
     }
-    cameras[i].calibrated = {recordOfLens(cameras[i].camera, CalibrationOrigin::File),
-                             recordOfPose(cameras[i].camera, CalibrationOrigin::File)};
+    cameras[i].calibrationRecord = {recordOfLens(cameras[i].camera, CalibrationOrigin::File),
+                                    recordOfPose(cameras[i].camera, CalibrationOrigin::File)};
   }
-  made.project.calibrated = {};
-  made.project.calibrated.scale = CalibrationOrigin::File;
-  made.project.calibrated.floor = CalibrationOrigin::File;
-  made.faults = camera_motion::checkRig(rigOf(made.project));
+  made.project.worldRecord = {};
+  made.project.worldRecord.scaleOrigin = CalibrationOrigin::File;
+  made.project.worldRecord.floorOrigin = CalibrationOrigin::File;
+  made.likelyMistakes = camera_motion::checkRig(rigOf(made.project));
   return made;
 }
 

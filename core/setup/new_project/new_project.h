@@ -23,7 +23,7 @@ inline constexpr int kAssumedImageHeight = 480;
 /// A camera named by the user for a new project.
 struct NewCamera {
   std::string name; ///< name of the camera; empty: name of its file
-  SourceKind source = SourceKind::Video;
+  SourceKind sourceKind = SourceKind::Video;
   std::string location; ///< video, image folder, device or address
 };
 
@@ -31,7 +31,7 @@ struct NewCamera {
 struct NewProject {
   std::string name; ///< name of the project; empty: name of the folder of its first recording
   std::vector<NewCamera> cameras;
-  std::optional<std::filesystem::path> calibration;
+  std::optional<std::filesystem::path> calibrationFile;
   double framesPerSecond = 0.0; ///< frame rate for image folders; 0 means 30
   /// Adaptation of a calibration that has other camera names or image sizes.
   CalibrationAdaptation adaptation = {};
@@ -45,11 +45,11 @@ struct CreatedProject {
   bool lacksCalibration = false;
   /// True if the names in the calibration file match no camera, so that cameras were matched by
   /// order.
-  bool wasMatchedByOrder = false;
+  bool wereCamerasMatchedByOrder = false;
   /// Full sentences about calibrations that were fitted to the size of the images.
   std::vector<std::string> decisions = {};
   /// Likely mistakes in the calibration file: two cameras with the same pose (checkRig()).
-  std::vector<camera_motion::CameraDisagreement> faults = {};
+  std::vector<camera_motion::CameraDisagreement> likelyMistakes = {};
 };
 
 /// Creates a project from videos, image folders, devices or streams. The calibrations in a file are

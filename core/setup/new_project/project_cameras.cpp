@@ -143,7 +143,7 @@ Result<CameraSource> sourceAt(const std::string& location, const std::string& na
   return source;
 }
 
-Status checkCanAdd(const Project& project, SourceKind kind) {
+Status checkCanAddCamera(const Project& project, SourceKind kind) {
   if (!project.scene.empty()) {
     return failure(ErrorCode::BadValue, "", "scene", "a simulated scene has its own cameras");
   }
@@ -155,7 +155,7 @@ Status checkCanAdd(const Project& project, SourceKind kind) {
 
 Status addCameras(Project& project, const std::vector<CameraSource>& sources) {
   for (const CameraSource& source : sources) {
-    if (auto fits = checkCanAdd(project, source.kind); !fits) {
+    if (auto fits = checkCanAddCamera(project, source.kind); !fits) {
       return fits;
     }
     if (comesFromRecording(source.kind) != comesFromRecording(sources.front().kind)) {
@@ -188,7 +188,7 @@ Status replaceSource(Project& project, std::size_t camera, const CameraSource& s
     return {};
   }
   if (project.cameras.size() > 1 || !project.scene.empty()) {
-    if (auto fits = checkCanAdd(project, source.kind); !fits) {
+    if (auto fits = checkCanAddCamera(project, source.kind); !fits) {
       return fits;
     }
   }
@@ -216,7 +216,7 @@ Status replaceSource(Project& project, std::size_t camera, const CameraSource& s
   } else {
     changed.device = source.device;
   }
-  changed.times.clear();
+  changed.captureTimeFile.clear();
   return {};
 }
 
@@ -225,7 +225,7 @@ void swapSources(Project& project, std::size_t one, std::size_t other) {
   ProjectCamera& second = project.cameras[other];
   std::swap(first.source, second.source);
   std::swap(first.location, second.location);
-  std::swap(first.times, second.times);
+  std::swap(first.captureTimeFile, second.captureTimeFile);
   std::swap(first.device, second.device);
 }
 

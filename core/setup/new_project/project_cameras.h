@@ -41,12 +41,12 @@ Result<CameraSource> sourceAt(const std::string& location, const std::string& na
 /// Checks whether sources of this kind can be added to a project. The cameras of a project must be
 /// either all recordings or all live. Errors: Mismatch if they would be mixed; BadValue if the
 /// project has a simulated scene, which defines its own cameras.
-Status checkCanAdd(const Project& project, SourceKind kind);
+Status checkCanAddCamera(const Project& project, SourceKind kind);
 
 /// Adds cameras with these sources to a project. Each camera gets a unique name and a guessed
 /// calibration, as in createNewProject(). If the recordings of the project have tables of capture
 /// times, the user must also provide such tables for the new cameras. Errors: those of
-/// checkCanAdd(). After an error, the project is unchanged.
+/// checkCanAddCamera(). After an error, the project is unchanged.
 Status addCameras(Project& project, const std::vector<CameraSource>& sources);
 
 /// Replaces the source of a camera. The camera keeps its name and calibration. If another camera
@@ -54,8 +54,8 @@ Status addCameras(Project& project, const std::vector<CameraSource>& sources);
 /// the table of capture times is removed, a guessed calibration is guessed again for the new image
 /// size, and a new device of the same model gets the format and controls of the previous one.
 ///
-/// Errors: those of checkCanAdd(), unless the camera is the only one in the project; Mismatch if
-/// the images of a recording do not have the size for which the camera is calibrated.
+/// Errors: those of checkCanAddCamera(), unless the camera is the only one in the project; Mismatch
+/// if the images of a recording do not have the size for which the camera is calibrated.
 Status replaceSource(Project& project, std::size_t camera, const CameraSource& source);
 
 /// Exchanges the sources of two cameras, for example after their cables were exchanged.

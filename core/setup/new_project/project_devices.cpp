@@ -36,7 +36,7 @@ std::optional<std::size_t> deviceAt(const std::string& location,
                                     std::span<const capture::CameraDevice> devices) {
   const std::string path = isDeviceNumber(location) ? "/dev/video" + location : location;
   const auto found = std::ranges::find_if(devices, [&](const capture::CameraDevice& device) {
-    return device.path == path || device.address == path;
+    return device.path == path || device.stablePath == path;
   });
   return found == devices.end() ? std::nullopt
                                 : std::optional(static_cast<std::size_t>(found - devices.begin()));
@@ -62,7 +62,7 @@ capture::DeviceFormat formatToOpen(const Project& project, std::size_t index) {
 CameraSource sourceOf(const capture::CameraDevice& device) {
   CameraSource source;
   source.kind = SourceKind::Device;
-  source.location = device.address.empty() ? device.path : device.address;
+  source.location = device.stablePath.empty() ? device.path : device.stablePath;
   source.device.identity = device.identity;
   return source;
 }
@@ -78,7 +78,7 @@ matchProjectDevices(const Project& project, std::span<const capture::CameraDevic
       continue;
     }
     if (camera.device.identity.isEmpty()) {
-      matches[k].device = deviceAt(camera.location, devices);
+      matches[k].deviceIndex = deviceAt(camera.location, devices);
     } else {
       known.push_back(k);
       identities.push_back(camera.device.identity);
@@ -97,23 +97,23 @@ projectBandwidthShortages(const Project& project, std::span<const capture::Camer
   std::vector<capture::BandwidthRequest> requests;
   std::vector<std::size_t> cameras; // of the requests
   for (std::size_t k = 0; k < matches.size(); ++k) {
-    if (!matches[k].device) {
+    if (!matches[k].deviceIndex) {
       continue;
     }
-    const capture::CameraDevice& device = devices[*matches[k].device];
+    const capture::CameraDevice& device = devices[*matches[k].deviceIndex];
     const capture::DeviceFormat format = formatToOpen(project, k);
     if (capture::isOffered(format, device.formats)) { // else it sends no images
       requests.push_back({device, format});
       cameras.push_back(k);
     }
   }
-  auto shortages = capture::bandwidthShortages(requests);
+  auto shortages = capture::findBandwidthShortages(requests);
   for (capture::BandwidthShortage& shortage : shortages) {
-    for (std::size_t& request : shortage.requests) {
+    for (std::size_t& request : shortage.requestIndices) {
       request = cameras[request];
     }
     for (capture::BandwidthProposal& proposal : shortage.proposals) {
-      proposal.request = cameras[proposal.request];
+      proposal.requestIndex = cameras[proposal.requestIndex];
     }
   }
   return shortages;

@@ -29,11 +29,11 @@ std::vector<capture::DeviceMatch>
 matchProjectDevices(const Project& project, std::span<const capture::CameraDevice> devices);
 
 /// Returns the USB buses that are too slow for the images of a project's cameras
-/// (capture::bandwidthShortages()). The formats are those in which the devices would be opened: if
-/// the project requests no size, the images of a calibrated camera have the size of its
-/// calibration. In the result, BandwidthShortage::requests and BandwidthProposal::request are
-/// indices of cameras in the project. Ignores cameras whose devices do not offer the requested
-/// format, because they cannot be opened.
+/// (capture::findBandwidthShortages()). The formats are those in which the devices would be opened:
+/// if the project requests no size, the images of a calibrated camera have the size of its
+/// calibration. In the result, BandwidthShortage::requestIndices and
+/// BandwidthProposal::requestIndex are indices of cameras in the project. Ignores cameras whose
+/// devices do not offer the requested format, because they cannot be opened.
 std::vector<capture::BandwidthShortage>
 projectBandwidthShortages(const Project& project, std::span<const capture::CameraDevice> devices);
 

@@ -10,10 +10,10 @@ RecordedCamera recordedCamera(const ProjectCamera& camera) {
                                                      : RecordedCamera::Kind::Images;
   recorded.path = camera.location;
   recorded.rotateDegrees = camera.rotateDegrees;
-  recorded.mirrored = camera.mirrored;
+  recorded.isMirrored = camera.isMirrored;
   recorded.crop = camera.crop;
-  recorded.delay = camera.delay;
-  recorded.times = camera.times;
+  recorded.delaySeconds = camera.delay;
+  recorded.timesFile = camera.captureTimeFile;
   recorded.width = camera.camera.intrinsics.width;
   recorded.height = camera.camera.intrinsics.height;
   return recorded;

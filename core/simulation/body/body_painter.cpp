@@ -29,7 +29,7 @@ cv::Rect rowsOf(const RoomView& view, const Exposure& exposure) {
 }
 
 const Vector3f& lampOf(const Body& body) {
-  return body.light != nullptr ? body.light->illumination->lamp : kLampPosition;
+  return body.light != nullptr ? body.light->illumination->lampPosition : kLampPosition;
 }
 
 /// The color of a matte surface of a body in the light that falls on it.
@@ -37,7 +37,7 @@ Vector3f litColor(const Body& body, const Vector3f& point, const Vector3f& norma
   if (body.light != nullptr) {
     return body.light->lightAt(point, normal).cwiseProduct(body.color);
   }
-  return shade(point, normal, 1.0F) * body.color;
+  return matteSurfaceLight(point, normal, 1.0F) * body.color;
 }
 
 /// The color of a ball's surface at `normal`: matte, with a faint broad highlight, kBallGloss.
@@ -46,8 +46,8 @@ Vector3f ballColor(const Body& body, const Vector3f& point, const Vector3f& dire
   const Vector3f halfway = ((lampOf(body) - point).normalized() - direction).normalized();
   const float facing = std::max(0.0F, normal.dot(halfway));
   const float facing4 = facing * facing * facing * facing;
-  static_assert(kBallGloss.power == 12.0F);
-  const float gloss = kBallGloss.peak * facing4 * facing4 * facing4;
+  static_assert(kBallGloss.exponent == 12.0F);
+  const float gloss = kBallGloss.peakLevel * facing4 * facing4 * facing4;
   // A ball on a desk is dark below: it hides the room's light there from itself.
   const Vector3f color = litColor(body, point, normal) + Vector3f::Constant(gloss);
   // In other light it is the sensor that cuts.
@@ -106,7 +106,7 @@ bool onEdge(const RoomView& view, const Body& body, int column, int row) {
   const Vector3f& here = view.directions[view.pixelIndex(column, row)];
   const float along = way.dot(here);
   const float aside = std::sqrt(std::max(0.0F, way.squaredNorm() - along * along));
-  const float pixel = along * (view.direction(column, row, 0.5F, 0.5F) - here).norm();
+  const float pixel = along * (view.rayDirection(column, row, 0.5F, 0.5F) - here).norm();
   return std::abs(aside - body.radius) < 1.2F * pixel;
 }
 
@@ -130,7 +130,7 @@ void addInstant(const RoomView& view, const Body& body, const cv::Rect& area,
       constexpr float kWeight = 1.0F / (kEdgeSamples * kEdgeSamples);
       for (int i = 0; i < kEdgeSamples * kEdgeSamples; ++i) {
         const auto [right, down] = subpixelOffset(i, kEdgeSamples);
-        const Share part = sample(view, body, view.direction(column, row, right, down), limit);
+        const Share part = sample(view, body, view.rayDirection(column, row, right, down), limit);
         share->color += kWeight * part.color;
         share->coverage += kWeight * part.coverage;
       }
@@ -152,20 +152,20 @@ void castShadow(const RoomView& view, const Body& body, const cv::Rect& rows, cv
   forEachShadedPixel(view, area, caster,
                      [&](int row, int column, std::size_t pixel, float covered, float /*blur*/) {
                        image.at<cv::Vec3f>(row, column) *=
-                           1.0F - covered * view.lampFraction[pixel];
+                           1.0F - covered * view.lampFractions[pixel];
                      });
 }
 
 /// The light that comes from a point of a body of parts; `light` is that of the body.
 Vector3f partColor(const SurfacePoint& seen, const LightField* light) {
-  const Vector3f& lamp = light != nullptr ? light->illumination->lamp : kLampPosition;
+  const Vector3f& lamp = light != nullptr ? light->illumination->lampPosition : kLampPosition;
   const float gloss =
       seen.gloss.highlightAt(seen.normal, (lamp - seen.point).normalized(), seen.direction);
   if (light != nullptr) { // it is the sensor that cuts
     return light->lightAt(seen.point, seen.normal).cwiseProduct(seen.color) +
            Vector3f::Constant(gloss);
   }
-  const float shaded = shade(seen.point, seen.normal, 1.0F);
+  const float shaded = matteSurfaceLight(seen.point, seen.normal, 1.0F);
   return (shaded * seen.color + Vector3f::Constant(gloss)).cwiseMin(255.0F);
 }
 
@@ -190,8 +190,8 @@ Body shadowBody(const Body& body) {
 
 void paintBodies(const RoomView& view, const BodiesAt& bodiesAt, const Exposure& exposure,
                  cv::Mat& image) {
-  const double time = exposure.time;
-  const double half = 0.5 * exposure.seconds;
+  const double time = exposure.centerTime;
+  const double half = 0.5 * exposure.durationSeconds;
   const auto middle = bodiesAt(time);
   const auto opening = bodiesAt(time - half);
   const auto closing = bodiesAt(time + half);

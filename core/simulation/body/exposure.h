@@ -7,11 +7,11 @@
 
 namespace dewpoint::simulation {
 
-/// Exposure of the image rows [firstRow, endRow). The shutter is open for `seconds`, centered on
-/// `time` (seconds). Rows outside the image are ignored.
+/// Exposure of the image rows [firstRow, endRow). The shutter is open for `durationSeconds`,
+/// centered on `centerTime` (seconds). Rows outside the image are ignored.
 struct Exposure {
-  double time = 0.0;
-  double seconds = 0.0;
+  double centerTime = 0.0;
+  double durationSeconds = 0.0;
   int firstRow = 0;
   int endRow = std::numeric_limits<int>::max();
 };

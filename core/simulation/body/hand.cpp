@@ -50,7 +50,7 @@ std::vector<MovingPart> grippingHand(const Grip& grip, double ballRadius, const 
   parts.push_back(palm);
   const Eigen::Vector3d wrist = (ballRadius + 0.02) * grip.palm;
   parts.push_back(
-      capsuleBetween(wrist, wrist + kForearmLong * grip.forearm(), kForearmRadius, color));
+      capsuleBetween(wrist, wrist + kForearmLong * grip.forearmDirection(), kForearmRadius, color));
   return parts;
 }
 

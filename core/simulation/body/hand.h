@@ -22,7 +22,7 @@ struct Grip {
   double spreadAngle = 0.47; ///< angle about the `palm` axis from one finger to the next
   double fingerRadius = kFingerRadius;
   /// Returns the unit vector from the palm along the forearm.
-  Eigen::Vector3d forearm() const { return (0.8 * palm - 0.6 * fingers).normalized(); }
+  Eigen::Vector3d forearmDirection() const { return (0.8 * palm - 0.6 * fingers).normalized(); }
 };
 
 /// Returns a hand around a ball of radius `ballRadius` (meters): four fingers and the thumb on the

@@ -107,7 +107,7 @@ private:
 
   Seen seenAt(int column, int row, float right, float down) const {
     Seen seen;
-    seen.direction = view_.direction(column, row, right, down);
+    seen.direction = view_.rayDirection(column, row, right, down);
     seen.hit.distance = view_.distances[view_.pixelIndex(column, row)];
     for (const MovingPart* part : chosen_) {
       intersectPart(*part, view_.center, seen.direction, seen.hit);
@@ -169,9 +169,10 @@ void blend(const cv::Rect& area, const std::vector<Contribution>& contributions,
 
 void paintParts(const RoomView& view, const PartsAt& partsAt, const Exposure& exposure,
                 const cv::Rect& within, const Shading& shading, cv::Mat& image) {
-  const double half = 0.5 * exposure.seconds;
-  const std::array<Parts, 3> instants{partsAt(exposure.time - half), partsAt(exposure.time),
-                                      partsAt(exposure.time + half)};
+  const double half = 0.5 * exposure.durationSeconds;
+  const std::array<Parts, 3> instants{partsAt(exposure.centerTime - half),
+                                      partsAt(exposure.centerTime),
+                                      partsAt(exposure.centerTime + half)};
   const std::vector<cv::Rect> areas = boundsOf(view, instants, within);
   cv::Rect area;
   for (const cv::Rect& one : areas) {
@@ -185,7 +186,7 @@ void paintParts(const RoomView& view, const PartsAt& partsAt, const Exposure& ex
       std::clamp(static_cast<int>(std::ceil(travel / kPixelsPerInstant)), 1, kMaxInstants);
   std::vector<Contribution> contributions(static_cast<std::size_t>(area.area()));
   for (int k = 0; k < count; ++k) {
-    const double at = exposure.time + half * ((2.0 * k + 1.0) / count - 1.0);
+    const double at = exposure.centerTime + half * ((2.0 * k + 1.0) / count - 1.0);
     const Parts parts = count == 1 ? instants[1] : partsAt(at);
     InstantPainter(view, parts, areas, shading).addTo(area, contributions);
   }

@@ -59,7 +59,7 @@ cv::Mat OfficeRenderer::render(std::size_t camera, std::int64_t frame, cv::Mat* 
   return simulation::digitize(image, scene_.noiseSigma, noise);
 }
 
-cv::Mat OfficeRenderer::visiblePeople(std::size_t camera, std::int64_t frame) const {
+cv::Mat OfficeRenderer::visiblePeopleMask(std::size_t camera, std::int64_t frame) const {
   cv::Mat who;
   renderLight(camera, frame, &who);
   return who;
@@ -94,13 +94,13 @@ cv::Mat OfficeRenderer::backgroundImage(std::size_t camera) const {
 bool OfficeRenderer::isInsideOffice(std::size_t person, double time) const {
   const auto& walker = scene_.people.at(person);
   return walker.isPresentAt(time) &&
-         walker.position(time).cwiseAbs().maxCoeff() < double{kOfficeHalfSize};
+         walker.positionAt(time).cwiseAbs().maxCoeff() < double{kOfficeHalfSize};
 }
 
 Eigen::Vector3d OfficeRenderer::bodyCenter(std::size_t person, double time) const {
   const auto& walker = scene_.people.at(person);
-  const Eigen::Vector2d position = walker.position(time);
-  return {position.x(), position.y(), 0.5 * walker.topHeight(time)};
+  const Eigen::Vector2d position = walker.positionAt(time);
+  return {position.x(), position.y(), 0.5 * walker.topHeightAt(time)};
 }
 
 } // namespace dewpoint::simulation

@@ -46,14 +46,15 @@ public:
 
   const OfficeScene& scene() const { return scene_; }
   /// Renders the image (CV_8UC3, BGR) of a camera in a frame. The result depends only on the scene
-  /// and the arguments. If `who` is not null, it is set to the image that visiblePeople() returns.
+  /// and the arguments. If `who` is not null, it is set to the image that visiblePeopleMask()
+  /// returns.
   cv::Mat render(std::size_t camera, std::int64_t frame, cv::Mat* who = nullptr) const;
   /// Returns which person is visible at each pixel, without rendering the image: CV_8UC1, 0 where
   /// no person is visible, otherwise 1 + the index of the person.
-  cv::Mat visiblePeople(std::size_t camera, std::int64_t frame) const;
+  cv::Mat visiblePeopleMask(std::size_t camera, std::int64_t frame) const;
   /// Returns the complete silhouette of a person as if nothing hid the person: CV_8UC1, 255 on the
   /// body, 0 elsewhere and on a carried object. The image is 0 everywhere while the person is
-  /// absent. visiblePeople() returns only the visible parts of silhouettes.
+  /// absent. visiblePeopleMask() returns only the visible parts of silhouettes.
   cv::Mat silhouette(std::size_t camera, std::int64_t frame, std::size_t person) const;
   /// Returns the image of the office at time 0 without people and without noise (CV_8UC3).
   cv::Mat backgroundImage(std::size_t camera) const;

@@ -27,7 +27,7 @@ std::vector<ExposureStep> exposureSteps(const Shutter& shutter, int rows) {
   for (int k = 0; k < count; ++k) {
     const double begin = -0.5 * span + k * length;
     ExposureStep& step = steps.emplace_back();
-    step.time = begin + 0.5 * length;
+    step.centerTime = begin + 0.5 * length;
     step.rowShares.reserve(static_cast<std::size_t>(rows));
     for (int row = 0; row < rows; ++row) {
       const double middle = rowTime(shutter, row, rows);
@@ -44,7 +44,7 @@ void paintPeopleThroughShutter(const RoomView& view, const PeopleAt& people,
   cv::Mat sum = cv::Mat::zeros(image.size(), CV_32FC3);
   for (const ExposureStep& step : exposureSteps(shutter, image.rows)) {
     cv::Mat now = image.clone();
-    paintPeople(view, people(light.field.time + step.time), light, now);
+    paintPeople(view, people(light.lightField.time + step.centerTime), light, now);
     for (int row = 0; row < image.rows; ++row) {
       if (const float share = step.rowShares[static_cast<std::size_t>(row)]; share > 0.0F) {
         sum.row(row) += share * now.row(row);

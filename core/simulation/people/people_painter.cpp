@@ -208,12 +208,12 @@ void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>&
   }
   forEachCovered(shadowsOf(view, people, lamp), [&](int row, int column, float share) {
     image.at<cv::Vec3f>(row, column) *=
-        1.0F - share * view.lampFraction[view.pixelIndex(column, row)];
+        1.0F - share * view.lampFractions[view.pixelIndex(column, row)];
   });
   Canvas canvas(view, image, who);
   paintAll(people, canvas,
            [&](const Vector3f& point, const Vector3f& normal, const Vector3f& color) -> Vector3f {
-             return shade(point, normal, 1.0F, lamp) * color;
+             return matteSurfaceLight(point, normal, 1.0F, lamp) * color;
            });
 }
 
@@ -222,20 +222,22 @@ void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>&
   if (people.empty()) {
     return;
   }
-  const Illumination& illumination = *light.field.illumination;
-  const cv::Mat& direct = light.background->direct;
-  forEachCovered(shadowsOf(view, people, illumination.lamp), [&](int row, int column, float share) {
+  const Illumination& illumination = *light.lightField.illumination;
+  const cv::Mat& direct = light.background->directLight;
+  forEachCovered(shadowsOf(view, people, illumination.lampPosition), [&](int row, int column,
+                                                                         float share) {
     const std::size_t pixel = view.pixelIndex(column, row);
     const Vector3f point = view.center + view.distances[pixel] * view.directions[pixel];
     const float passing =
-        illumination.shadow ? shadowAt(*illumination.shadow, point, light.field.time) : 0.0F;
+        illumination.shadow ? blockedFractionAt(*illumination.shadow, point, light.lightField.time)
+                            : 0.0F;
     image.at<cv::Vec3f>(row, column) -=
         share * (1.0F - passing) * direct.at<cv::Vec3f>(row, column);
   });
   Canvas canvas(view, image, nullptr);
   paintAll(people, canvas,
            [&](const Vector3f& point, const Vector3f& normal, const Vector3f& color) -> Vector3f {
-             return light.field.lightAt(point, normal).cwiseProduct(color);
+             return light.lightField.lightAt(point, normal).cwiseProduct(color);
            });
 }
 

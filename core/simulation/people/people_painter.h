@@ -23,7 +23,7 @@ void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>&
 
 /// Light on the people, if the room lamp is not the only light.
 struct PeopleLight {
-  LightField field;
+  LightField lightField;
   /// Image of the room at rest, split into the direct light of the room lamp and all other light.
   /// In the shadow of a person, the direct light of the room lamp is missing.
   const RelitBackground* background = nullptr;

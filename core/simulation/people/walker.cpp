@@ -220,7 +220,7 @@ double seatHeight(double height) {
          static_cast<double>(lengthBelow(headGrowth(height)));
 }
 
-Eigen::Vector2d Walker::position(double time) const {
+Eigen::Vector2d Walker::positionAt(double time) const {
   constexpr int kSamples = 9; // of the rounding, odd: one at the time itself
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (int k = 0; k < kSamples; ++k) {
@@ -229,7 +229,7 @@ Eigen::Vector2d Walker::position(double time) const {
   return sum / kSamples;
 }
 
-double Walker::topHeight(double time) const {
+double Walker::topHeightAt(double time) const {
   if (jointAnglesAt(postures, time).isUpright()) {
     return height;
   }
@@ -242,9 +242,9 @@ double Walker::topHeight(double time) const {
 
 std::vector<BodyPart> bodyParts(const Walker& walker, double time) {
   constexpr double kHeadingSpan = 0.6; // seconds: turning takes a while
-  const Eigen::Vector2d position = walker.position(time);
+  const Eigen::Vector2d position = walker.positionAt(time);
   Eigen::Vector2d going =
-      walker.position(time + 0.5 * kHeadingSpan) - walker.position(time - 0.5 * kHeadingSpan);
+      walker.positionAt(time + 0.5 * kHeadingSpan) - walker.positionAt(time - 0.5 * kHeadingSpan);
   const double speed = going.norm() / kHeadingSpan;
   if (speed < kStandingSpeed) { // looks where it came from, or will go
     going = walker.waypoints.back().position - walker.waypoints.front().position;

@@ -60,10 +60,10 @@ struct Walker {
   bool isPresentAt(double time) const { return time >= presentFrom && time < presentUntil; }
   /// Returns the point on the floor (world x and y, meters) below the center of the body at a time
   /// (seconds). The point lies on the path through the waypoints, whose corners are rounded.
-  Eigen::Vector2d position(double time) const;
+  Eigen::Vector2d positionAt(double time) const;
   /// Returns the height of the top of the head above the floor, in meters, at a time in seconds.
   /// The result is `height` for a standing person.
-  double topHeight(double time) const;
+  double topHeightAt(double time) const;
 };
 
 /// Height of an adult's head as a fraction of the body height: 0.25 m of 1.75 m. Drawing manuals

@@ -14,7 +14,7 @@ Vector3f lightOfLamps(const Illumination& illumination, const Vector3f& point,
   for (const AdditionalLamp& lamp : illumination.additionalLamps) {
     const Vector3f way = lamp.position - point;
     const float lambert = std::max(0.0F, normal.dot(way.normalized()));
-    light += lambert * lamp.falloff(way.norm()) * lamp.color;
+    light += lambert * lamp.falloffAt(way.norm()) * lamp.color;
   }
   return light;
 }
@@ -40,7 +40,7 @@ int likerNeighbor(const RoomView& view, int column, int row, bool across) {
 
 } // namespace
 
-float AdditionalLamp::falloff(float distance) const {
+float AdditionalLamp::falloffAt(float distance) const {
   if (distance <= reach) {
     return 1.0F;
   }
@@ -48,19 +48,19 @@ float AdditionalLamp::falloff(float distance) const {
   return share * share;
 }
 
-float shadowAt(const MovingShadow& shadow, const Vector3f& point, double time) {
+float blockedFractionAt(const MovingShadow& shadow, const Vector3f& point, double time) {
   const auto middle = static_cast<float>(shadow.initialPosition + shadow.speed * time);
   const float aside = std::abs(shadow.direction.dot(point) - middle);
   const float t = std::clamp((aside - shadow.halfWidth + shadow.borderHalfWidth) /
                                  (2.0F * shadow.borderHalfWidth),
                              0.0F, 1.0F);
-  return shadow.depth * (1.0F - t * t * (3.0F - 2.0F * t));
+  return shadow.blockedFraction * (1.0F - t * t * (3.0F - 2.0F * t));
 }
 
 Vector3f LightField::lightAt(const Vector3f& point, const Vector3f& normal) const {
   const Illumination& here = *illumination;
-  const float lit = here.shadow ? 1.0F - shadowAt(*here.shadow, point, time) : 1.0F;
-  const float room = here.roomGain * shade(point, normal, lit, here.lamp);
+  const float lit = here.shadow ? 1.0F - blockedFractionAt(*here.shadow, point, time) : 1.0F;
+  const float room = here.roomGain * matteSurfaceLight(point, normal, lit, here.lampPosition);
   return Vector3f::Constant(room) + lightOfLamps(here, point, normal);
 }
 
@@ -93,14 +93,15 @@ RelitBackground relightBackground(const RoomView& view, const Illumination& illu
       const Vector3f color{seen[0], seen[1], seen[2]};
       const Vector3f point = view.center + view.distances[pixel] * view.directions[pixel];
       const Vector3f normal = surfaceNormal(view, column, row);
-      const float direct = view.lampFraction[pixel];
+      const float direct = view.lampFractions[pixel];
       // What does not come from the lamp directly tells how much light there is in all.
-      const float light = shade(point, normal, 0.0F, illumination.lamp) / (1.0F - direct);
+      const float light =
+          matteSurfaceLight(point, normal, 0.0F, illumination.lampPosition) / (1.0F - direct);
       const Vector3f further =
           color.cwiseProduct(lightOfLamps(illumination, point, normal)) / light;
       const Vector3f own = illumination.roomGain * color;
-      result.ambient.at<cv::Vec3f>(row, column) = pixelOf((1.0F - direct) * own + further);
-      result.direct.at<cv::Vec3f>(row, column) = pixelOf(direct * own);
+      result.ambientLight.at<cv::Vec3f>(row, column) = pixelOf((1.0F - direct) * own + further);
+      result.directLight.at<cv::Vec3f>(row, column) = pixelOf(direct * own);
     }
   }
   return result;
@@ -108,20 +109,20 @@ RelitBackground relightBackground(const RoomView& view, const Illumination& illu
 
 cv::Mat backgroundAt(const RoomView& view, const RelitBackground& background,
                      const Illumination& illumination, double time) {
-  cv::Mat image = background.ambient + background.direct;
+  cv::Mat image = background.ambientLight + background.directLight;
   if (!illumination.shadow) {
     return image;
   }
   for (int row = 0; row < view.height; ++row) {
     auto* pixels = image.ptr<cv::Vec3f>(row);
-    const auto* direct = background.direct.ptr<cv::Vec3f>(row);
+    const auto* direct = background.directLight.ptr<cv::Vec3f>(row);
     for (int column = 0; column < view.width; ++column) {
       const std::size_t pixel = view.pixelIndex(column, row);
       if (view.directions[pixel].isZero(0.0F)) {
         continue;
       }
       const Vector3f point = view.center + view.distances[pixel] * view.directions[pixel];
-      pixels[column] -= shadowAt(*illumination.shadow, point, time) * direct[column];
+      pixels[column] -= blockedFractionAt(*illumination.shadow, point, time) * direct[column];
     }
   }
   return image;

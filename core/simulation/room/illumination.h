@@ -26,7 +26,7 @@ struct AdditionalLamp {
 
   /// Returns the fraction of `color` that remains at a distance (meters) from the lamp. The
   /// fraction is 1 up to `reach`.
-  float falloff(float distance) const;
+  float falloffAt(float distance) const;
 };
 
 /// Shadow of a tall object that passes in front of the room lamp: a vertical band that moves over
@@ -40,23 +40,23 @@ struct MovingShadow {
   /// Half width of the band, measured to the center of its soft border, meters.
   float halfWidth = 0.1F;
   float borderHalfWidth = 0.03F; ///< half width of the soft border, meters; chosen by judgment
-  float depth = 0.0F;            ///< fraction of the lamp's light that is blocked, 0 to 1
+  float blockedFraction = 0.0F;  ///< fraction of the lamp's light that is blocked, 0 to 1
 };
 
 /// Returns the fraction of the room lamp's light that the shadow blocks at a point (world, meters)
-/// and time (seconds), 0 to `depth`.
-float shadowAt(const MovingShadow& shadow, const Vector3f& point, double time);
+/// and time (seconds), 0 to `blockedFraction`.
+float blockedFractionAt(const MovingShadow& shadow, const Vector3f& point, double time);
 
 /// Light of a room. The default is the light of the room lamp alone.
 struct Illumination {
-  Vector3f lamp = kLampPosition; ///< position of the room lamp, world frame, meters
+  Vector3f lampPosition = kLampPosition; ///< position of the room lamp, world frame, meters
   float roomGain = 1.0F; ///< factor by which the room's own light (ambient and lamp) is multiplied
   std::vector<AdditionalLamp> additionalLamps;
   std::optional<MovingShadow> shadow;
 
   /// Returns whether the only light is the room lamp at its default position.
   bool isDefault() const {
-    return lamp == kLampPosition && roomGain == 1.0F && additionalLamps.empty() && !shadow;
+    return lampPosition == kLampPosition && roomGain == 1.0F && additionalLamps.empty() && !shadow;
   }
 };
 
@@ -72,8 +72,8 @@ struct LightField {
 
 /// Image of a room at rest under an illumination, without the moving shadow.
 struct RelitBackground {
-  cv::Mat ambient; ///< CV_32FC3, BGR: image without the direct light of the room lamp
-  cv::Mat direct;  ///< CV_32FC3, BGR: contribution of the direct light of the room lamp
+  cv::Mat ambientLight; ///< CV_32FC3, BGR: image without the direct light of the room lamp
+  cv::Mat directLight;  ///< CV_32FC3, BGR: contribution of the direct light of the room lamp
 };
 
 /// Returns the surface normal at a pixel: unit vector, world frame, toward the camera. The normal

@@ -7,7 +7,7 @@
 
 namespace dewpoint::simulation {
 
-Eigen::Vector3d temperatureGain(double kelvin) {
+Eigen::Vector3d colorTemperatureGain(double kelvin) {
   constexpr double kSecondRadiation = 0.014388; // h c / k, meter kelvin (CODATA)
   // Meters: about where the blue, green and red pixels of cameras are most sensitive.
   constexpr std::array<double, 3> kWavelengths{460e-9, 540e-9, 620e-9};

@@ -14,6 +14,6 @@ inline constexpr double kBalancedKelvin = 5500.0;
 /// Returns how strongly each channel (BGR) of a sensor responds to light of color temperature
 /// `kelvin`, relative to green. For kBalancedKelvin, all values are 1. Method: Planck's law at one
 /// wavelength per channel (460, 540, 620 nm).
-Eigen::Vector3d temperatureGain(double kelvin);
+Eigen::Vector3d colorTemperatureGain(double kelvin);
 
 } // namespace dewpoint::simulation

@@ -115,7 +115,8 @@ void castSolid(const Solid& solid, const Vector3f& origin, const Vector3f& direc
 
 } // namespace
 
-float shade(const Vector3f& point, const Vector3f& normal, float lit, const Vector3f& lamp) {
+float matteSurfaceLight(const Vector3f& point, const Vector3f& normal, float lit,
+                        const Vector3f& lamp) {
   const float lambert = std::max(0.0F, normal.dot((lamp - point).normalized()));
   return kAmbient + (1.0F - kAmbient - kLampFraction) * (1.0F + normal.z()) * 0.5F +
          kLampFraction * lambert * lit;
@@ -150,7 +151,7 @@ Room::Room(Furnishing furnishing, const RoomDesign& design) {
   solids_ = furniture.solids();
   solids_.insert(solids_.end(), design.additionalFurniture.solids().begin(),
                  design.additionalFurniture.solids().end());
-  lamp_ = design.lamp.value_or(lamp_);
+  lamp_ = design.lampPosition.value_or(lamp_);
 }
 
 RoomHit Room::castRay(const Vector3f& origin, const Vector3f& direction) const {
@@ -197,8 +198,8 @@ ShadedColor Room::shadedColorOf(const Vector3f& origin, const Vector3f& directio
       isWall && hit.normal.z() > 0.5F ? Pattern::Floor : hit.solid->material.pattern;
   const Vector3f position = isWall ? point : toSolidFrame(*hit.solid, point - hit.solid->center);
   const Vector3f color = textureColor(pattern, hit.solid->material.color, position);
-  const float light = shade(point, hit.normal, lit, lamp_);
-  const float dark = shade(point, hit.normal, 0.0F, lamp_);
+  const float light = matteSurfaceLight(point, hit.normal, lit, lamp_);
+  const float dark = matteSurfaceLight(point, hit.normal, 0.0F, lamp_);
   return {(light * color).cwiseMin(255.0F), 1.0F - dark / light};
 }
 

@@ -42,8 +42,8 @@ inline constexpr float kLampFraction = 0.62F;
 /// 1 is full light. The light is the sum of ambient light, which is brighter from above, and the
 /// Lambertian light of a lamp at `lamp`. The light of the lamp is multiplied by `lit`, which ranges
 /// from 0 (in shadow) to 1.
-float shade(const Vector3f& point, const Vector3f& normal, float lit,
-            const Vector3f& lamp = kLampPosition);
+float matteSurfaceLight(const Vector3f& point, const Vector3f& normal, float lit,
+                        const Vector3f& lamp = kLampPosition);
 
 /// First intersection of a ray with the room. `distance` (meters) is measured along the ray, and is
 /// infinite if there is no intersection.
@@ -73,7 +73,7 @@ struct RoomDesign {
   Furniture additionalFurniture; ///< furniture in addition to the furniture of the Furnishing
   std::optional<Material> wallMaterial; ///< material of the walls, if it differs from the default
   /// Lamp position, if it differs from the default; world frame, meters.
-  std::optional<Vector3f> lamp;
+  std::optional<Vector3f> lampPosition;
 };
 
 /// Furnished room of the simulation, at rest. Textures are functions of the world position, so all
@@ -89,9 +89,9 @@ public:
   /// select different points on the lamp.
   ShadedColor shadedColorOf(const Vector3f& origin, const Vector3f& direction, const RoomHit& hit,
                             std::uint32_t jitter) const;
-  /// Returns the lamp position (world frame, meters): RoomDesign::lamp if it is set, otherwise
-  /// kOfficeLampPosition in the office and kLampPosition in other rooms.
-  const Vector3f& lamp() const { return lamp_; }
+  /// Returns the lamp position (world frame, meters): RoomDesign::lampPosition if it is set,
+  /// otherwise kOfficeLampPosition in the office and kLampPosition in other rooms.
+  const Vector3f& lampPosition() const { return lamp_; }
 
 private:
   bool isShadowed(const Vector3f& point, const Vector3f& towards) const;

@@ -71,7 +71,7 @@ void RoomView::castRays(const Camera& camera) {
   }
 }
 
-Vector3f RoomView::direction(int column, int row, float right, float down) const {
+Vector3f RoomView::rayDirection(int column, int row, float right, float down) const {
   const Vector3f& here = directions[pixelIndex(column, row)];
   const int nextColumn = column + 1 < width ? column + 1 : std::max(0, column - 1);
   const int nextRow = row + 1 < height ? row + 1 : std::max(0, row - 1);
@@ -88,7 +88,7 @@ Vector3f RoomView::direction(int column, int row, float right, float down) const
 void RoomView::renderRoom(const Room& room) {
   constexpr int kSide = 2; // 2x2 samples per pixel; chosen: what is at rest is rendered once
   distances.assign(directions.size(), std::numeric_limits<float>::infinity());
-  lampFraction.assign(directions.size(), 0.0F);
+  lampFractions.assign(directions.size(), 0.0F);
   background = cv::Mat::zeros(height, width, CV_32FC3);
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
@@ -100,13 +100,13 @@ void RoomView::renderRoom(const Room& room) {
       Vector3f color = Vector3f::Zero();
       for (int sample = 0; sample < kSide * kSide; ++sample) {
         const auto [right, down] = subpixelOffset(sample, kSide);
-        const Vector3f ray = direction(column, row, right, down);
+        const Vector3f ray = rayDirection(column, row, right, down);
         const auto jitter =
             static_cast<std::uint32_t>(pixel) * 4U + static_cast<std::uint32_t>(sample);
         const ShadedColor sight =
             room.shadedColorOf(center, ray, room.castRay(center, ray), jitter);
         color += sight.color / (kSide * kSide);
-        lampFraction[pixel] += sight.lampFraction / (kSide * kSide);
+        lampFractions[pixel] += sight.lampFraction / (kSide * kSide);
       }
       background.at<cv::Vec3f>(row, column) = {color.x(), color.y(), color.z()};
     }

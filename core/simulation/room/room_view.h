@@ -28,7 +28,7 @@ struct RoomView {
   }
   /// Returns the unit direction (world frame) of the ray through the image point that lies `right`
   /// and `down` pixels from the center of a pixel. The result is a first-order approximation.
-  Vector3f direction(int column, int row, float right, float down) const;
+  Vector3f rayDirection(int column, int row, float right, float down) const;
   /// Returns the pixels that can show a sphere (world, meters): the bounding box of the sphere's
   /// silhouette, clipped to the image.
   cv::Rect boundsOfSphere(const Eigen::Vector3d& center, double radius) const;
@@ -41,7 +41,7 @@ struct RoomView {
   std::vector<Vector3f> directions;
   std::vector<float> distances; ///< distance to the room at rest along the ray, meters
   std::vector<float>
-      lampFraction;   ///< fraction of the pixel's light that comes directly from the lamp
+      lampFractions;  ///< fraction of the pixel's light that comes directly from the lamp
   cv::Mat background; ///< image of the room at rest: CV_32FC3, BGR, [0, 255]
 
 private:

@@ -16,10 +16,10 @@ namespace dewpoint::simulation {
 struct ShadowCaster {
   Eigen::Vector3f center;
   float radius = 0.0F;
-  Eigen::Vector3f lamp; ///< center of the lamp
+  Eigen::Vector3f lampPosition; ///< center of the lamp
   float lampRadius = 0.0F;
   /// Smallest half width of the shadow's soft edge; applies to a ball close to the floor.
-  float minBlur = 0.0F;
+  float minBlurHalfWidth = 0.0F;
   float maxFloorHeight = 0.0F; ///< only points up to this height (world z) count as floor
 };
 
@@ -38,14 +38,14 @@ void forEachShadedPixel(const RoomView& view, const cv::Rect& area, const Shadow
         continue;
       }
       const Eigen::Vector3f point = view.center + distance * view.directions[pixel];
-      const Eigen::Vector3f way = caster.lamp - point;
+      const Eigen::Vector3f way = caster.lampPosition - point;
       const float length = way.norm();
       const float along = (caster.center - point).dot(way) / length;
       if (point.z() > caster.maxFloorHeight || along <= 0.0F) {
         continue;
       }
       const float aside = ((caster.center - point) - along / length * way).norm();
-      const float blur = std::max(caster.minBlur, caster.lampRadius * along / length);
+      const float blur = std::max(caster.minBlurHalfWidth, caster.lampRadius * along / length);
       const float t = std::clamp((aside - caster.radius + blur) / (2.0F * blur), 0.0F, 1.0F);
       shade(row, column, pixel, 1.0F - t * t * (3.0F - 2.0F * t), blur);
     }

@@ -77,7 +77,7 @@ Eigen::Vector3d ballPosition(const Scene& scene, int ball, double time) {
     offset = jumpOffset(std::max(0.0, moving), body.period, 1.0 / scene.framesPerSecond);
     break;
   }
-  return body.position + body.extent.cwiseProduct(offset);
+  return body.position + body.pathHalfSize.cwiseProduct(offset);
 }
 
 Eigen::Vector3d distractorPosition(const Scene& scene, int index) {
@@ -118,7 +118,8 @@ Eigen::Vector3d lightGain(const Scene& scene, double time) {
   const double brightness =
       before.brightness * std::pow(after.brightness / before.brightness, share);
   return brightness *
-         simulation::temperatureGain(before.kelvin + share * (after.kelvin - before.kelvin));
+         simulation::colorTemperatureGain(
+             before.colorTemperature + share * (after.colorTemperature - before.colorTemperature));
 }
 
 double frameTime(const Scene& scene, std::int64_t frame) {

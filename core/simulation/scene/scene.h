@@ -38,7 +38,7 @@ struct SceneBall {
   Motion motion = Motion::Smooth;
   /// Initial position of the ball and center of its path; world frame, meters.
   Eigen::Vector3d position = kDeskCenter;
-  Eigen::Vector3d extent{0.12, 0.08, 0.05}; ///< half size of the path along X, Y, Z, meters
+  Eigen::Vector3d pathHalfSize{0.12, 0.08, 0.05}; ///< half size of the path along X, Y, Z, meters
   double period =
       6.0; ///< duration of one round of a smooth path, or time between two jumps, seconds
   double stillSeconds = 0.0; ///< time at rest before the ball starts to move, seconds
@@ -60,7 +60,7 @@ struct SceneLight {
   double time = 0.0;       ///< seconds
   double brightness = 1.0; ///< factor; 1 is full light
   /// Color temperature of the light, kelvin; the cameras are balanced for 5500 K.
-  double kelvin = kBalancedKelvin;
+  double colorTemperature = kBalancedKelvin;
 };
 
 /// Maximum number of distractors (balls at rest with the color of the first ball), which is the

@@ -47,7 +47,7 @@ const std::vector<std::string>& sceneNames() {
   return names;
 }
 
-Result<Scene> sceneNamed(const std::string& nameOrTomlFile) {
+Result<Scene> loadScene(const std::string& nameOrTomlFile) {
   const std::string& name = nameOrTomlFile;
   if (name == "demo") {
     return demoScene();

@@ -16,6 +16,6 @@ const std::vector<std::string>& sceneNames();
 
 /// Returns the built-in scene with this name. If there is no such scene, reads the scene from the
 /// TOML file with this name. Errors: FileMissing, FileUnreadable, and those of parseScene().
-Result<Scene> sceneNamed(const std::string& nameOrTomlFile);
+Result<Scene> loadScene(const std::string& nameOrTomlFile);
 
 } // namespace dewpoint::simulation

@@ -77,7 +77,7 @@ Result<SceneBall> readBall(const toml::table& table, const std::string& file, st
     ball.motion = known->first;
   }
   reader.readNumbers("position", ball.position.data(), 3);
-  reader.readNumbers("extent", ball.extent.data(), 3);
+  reader.readNumbers("extent", ball.pathHalfSize.data(), 3);
   reader.readNumber("period", ball.period, 1e-3, 1e6);
   reader.readNumber("still_seconds", ball.stillSeconds, 0.0, 1e6);
   readRange(reader, "hue", ball.hueMin, ball.hueMax, 360.0);
@@ -94,7 +94,7 @@ Result<SceneLight> readLight(const toml::table& table, const std::string& file, 
   SceneLight light;
   reader.readNumber("time", light.time, 0.0, 1e9);
   reader.readNumber("brightness", light.brightness, 0.01, 100.0);
-  reader.readNumber("kelvin", light.kelvin, 1000.0, 40000.0);
+  reader.readNumber("kelvin", light.colorTemperature, 1000.0, 40000.0);
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));
   }
@@ -248,7 +248,7 @@ toml::table ballTable(const SceneBall& ball) {
       {"color", toml::array{ball.color[2], ball.color[1], ball.color[0]}},
       {"motion", motion->second},
       {"position", arrayOf(ball.position)},
-      {"extent", arrayOf(ball.extent)},
+      {"extent", arrayOf(ball.pathHalfSize)},
       {"period", ball.period},
       {"still_seconds", ball.stillSeconds},
       {"hue", toml::array{ball.hueMin, ball.hueMax}},
@@ -292,8 +292,9 @@ std::string sceneToml(const Scene& scene) {
   }
   toml::array lights;
   for (const SceneLight& light : scene.lights) {
-    lights.push_back(toml::table{
-        {"time", light.time}, {"brightness", light.brightness}, {"kelvin", light.kelvin}});
+    lights.push_back(toml::table{{"time", light.time},
+                                 {"brightness", light.brightness},
+                                 {"kelvin", light.colorTemperature}});
   }
   toml::table table{
       {"name", scene.name},

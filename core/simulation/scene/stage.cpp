@@ -42,7 +42,7 @@ std::vector<Body> bodiesAt(const Stage& stage, double time, const Eigen::Vector3
 
 std::shared_ptr<const RoomView> viewAt(const Stage& stage, std::size_t camera, double time) {
   for (const MovedCamera& move : stage.movedCameras) {
-    if (move.camera == camera && time >= move.movedAt) {
+    if (move.camera == camera && time >= move.moveTimeSeconds) {
       return move.view;
     }
   }
@@ -81,12 +81,12 @@ cv::Mat roomAt(const Stage& stage, const RoomView& view, double time,
   const RelitView* other = relitOf(stage, view);
   cv::Mat image = other != nullptr ? backgroundAt(view, other->background, stage.illumination, time)
                                    : view.background.clone();
-  if (stage.arePeopleExposed && other != nullptr) {
+  if (stage.arePeopleMainSubject && other != nullptr) {
     const PeopleLight light{{&stage.illumination, time}, &other->background};
     paintPeopleThroughShutter(
         view, [&](double instant) { return peopleAt(stage, instant); }, light, shutter, image);
   } else {
-    paintPeople(view, peopleAt(stage, time), stage.illumination.lamp, image);
+    paintPeople(view, peopleAt(stage, time), stage.illumination.lampPosition, image);
   }
   return rotation == Eigen::Matrix3d::Identity() ? image : rotatedImage(view, image, rotation);
 }
@@ -106,8 +106,10 @@ cv::Mat exposed(const Stage& stage, std::size_t camera, double time, const Senso
   const Eigen::Vector3d eye = view.center.cast<double>();
   const auto bodies = [&](double instant) { return bodiesAt(stage, instant, eye, rotation, own); };
   for (const RowBand& band : rowBands(sensor.shutter, view.height)) {
-    paintBodies(view, bodies,
-                {time + band.time, sensor.shutter.exposureSeconds, band.begin, band.end}, image);
+    paintBodies(
+        view, bodies,
+        {time + band.centerTime, sensor.shutter.exposureSeconds, band.firstRow, band.endRow},
+        image);
   }
   if (light.gain != Eigen::Vector3d::Ones()) {
     const cv::Scalar gain(light.gain[0], light.gain[1], light.gain[2], 0.0);
@@ -122,7 +124,7 @@ cv::Mat exposed(const Stage& stage, std::size_t camera, double time, const Senso
 /// How much lighter other light makes a background on average, per channel (BGR).
 Eigen::Vector3d meanGain(const RoomView& view, const RelitBackground& background) {
   const cv::Scalar before = cv::mean(view.background);
-  const cv::Scalar after = cv::mean(background.ambient) + cv::mean(background.direct);
+  const cv::Scalar after = cv::mean(background.ambientLight) + cv::mean(background.directLight);
   Eigen::Vector3d gain;
   for (int channel = 0; channel < 3; ++channel) {
     gain[channel] = after[channel] / std::max(1.0, before[channel]);
@@ -166,8 +168,8 @@ std::vector<MovingPart> StageBody::partsAt(double time) const {
     return {};
   }
   std::vector<MovingPart> result = parts(time);
-  if (radius != partsRadius) {
-    const auto scale = static_cast<float>(radius / partsRadius);
+  if (radius != nominalRadius) {
+    const auto scale = static_cast<float>(radius / nominalRadius);
     for (MovingPart& part : result) {
       part.center *= scale;
       part.size *= scale;

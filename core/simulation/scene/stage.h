@@ -37,7 +37,7 @@ struct StageBody {
   std::string name;
   bool isBox = false;
   /// Radius of the ball, meters. A body made of parts is scaled with this radius: its parts have
-  /// the right size if `radius` equals `partsRadius`.
+  /// the right size if `radius` equals `nominalRadius`.
   double radius = kDefaultBallRadius;
   Eigen::Vector3d halfSize =
       Eigen::Vector3d::Zero(); ///< half size of the box along its own axes, meters
@@ -52,7 +52,7 @@ struct StageBody {
   PartsPath parts{};
   /// Value of `radius` for which the parts have the right size. For other values of `radius`, the
   /// parts are scaled.
-  double partsRadius = kDefaultBallRadius;
+  double nominalRadius = kDefaultBallRadius;
 
   /// Returns the radius (meters) of a sphere around the object. For a body made of parts, this is
   /// only `radius`, so parts can lie outside the sphere.
@@ -69,11 +69,11 @@ struct Light {
   bool isDark = false;                            ///< true if the camera receives no light at all
 };
 
-/// Camera whose pose changes once, at the time `movedAt`. `view` shows the room at rest from the
-/// new pose.
+/// Camera whose pose changes once, at the time `moveTimeSeconds`. `view` shows the room at rest
+/// from the new pose.
 struct MovedCamera {
   std::size_t camera = 0;
-  double movedAt = 0.0; ///< time of the change, seconds
+  double moveTimeSeconds = 0.0; ///< time of the change, seconds
   std::shared_ptr<const RoomView> view;
 };
 
@@ -105,14 +105,14 @@ struct Stage {
   /// Light of the room, if it differs from the light of the lamp with which `views` were rendered.
   Illumination illumination;
   /// People who walk behind the bodies. Bodies can hide people, but people never hide bodies.
-  /// Unless `arePeopleExposed` is set, people are lit only by the room lamp and have no motion
+  /// Unless `arePeopleMainSubject` is set, people are lit only by the room lamp and have no motion
   /// blur.
   std::vector<Walker> people;
   std::vector<MovableFurniture> furniture; ///< furniture that people move
   /// True if people are the subject of the recording. All lamps of the illumination then light
   /// them, and cameras with a sensor model record them with motion blur and rolling shutter.
   /// Requires an illumination that is not the default.
-  bool arePeopleExposed = false;
+  bool arePeopleMainSubject = false;
   float floorHeight = 0.0F; ///< world z of the floor on which people walk, meters
   /// Images of all views, including those of moved cameras, under the illumination; empty if the
   /// illumination is the default.

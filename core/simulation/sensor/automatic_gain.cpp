@@ -18,23 +18,25 @@ std::vector<double> balanced(const AutomaticGain& control,
   for (const Eigen::Vector3d& stops : lightStops) {
     tint.push_back(stops[channel] - stops[1] - lasting);
   }
-  return loopCorrections(control.whiteBalance, tint, tint.empty() ? lasting : -tint.front());
+  return simulateControlLoop(control.whiteBalanceLoop, tint,
+                             tint.empty() ? lasting : -tint.front());
 }
 
 } // namespace
 
-std::vector<double> loopCorrections(const ControlLoop& loop, std::span<const double> disturbance,
-                                    double start) {
+std::vector<double> simulateControlLoop(const ControlLoop& loop,
+                                        std::span<const double> disturbance, double start) {
   std::vector<double> result;
   result.reserve(disturbance.size());
   double now = start;
   for (std::size_t frame = 0; frame < disturbance.size(); ++frame) {
     result.push_back(now);
-    const auto lag = static_cast<std::size_t>(loop.lagFrames);
+    const auto lag = static_cast<std::size_t>(loop.lagInFrames);
     const std::size_t measured = frame > lag ? frame - lag : 0;
     const double error = disturbance[measured] + result[measured];
     if (std::abs(error) > loop.deadbandStops) {
-      now = std::clamp(now - loop.speed * error, -loop.maxCorrectionStops, loop.maxCorrectionStops);
+      now = std::clamp(now - loop.correctedFractionPerFrame * error, -loop.maxCorrectionStops,
+                       loop.maxCorrectionStops);
     }
   }
   return result;
@@ -57,11 +59,11 @@ GainCurve automaticGains(const AutomaticGain& control, std::span<const Eigen::Ve
   for (std::size_t frame = 0; frame < lightStops.size(); ++frame) {
     const double angle = turn * static_cast<double>(frame) + control.huntingPhaseRadians;
     metered.push_back(lightStops[frame][1] - control.exposureOffsetStops +
-                      control.huntingStops * std::sin(angle));
+                      control.huntingAmplitudeStops * std::sin(angle));
   }
   const double settled = lightStops.empty() ? 0.0 : control.exposureOffsetStops - lightStops[0][1];
   const auto exposure =
-      loopCorrections(control.exposure, metered, settled + control.initialErrorStops);
+      simulateControlLoop(control.exposureLoop, metered, settled + control.initialExposureErrorStops);
   const auto blue = balanced(control, lightStops, 0, control.whiteBalanceStops[0]);
   const auto red = balanced(control, lightStops, 2, control.whiteBalanceStops[1]);
   GainCurve curve;

@@ -46,10 +46,11 @@ cv::Mat bayerMosaic(const cv::Mat& linear) {
 
 void addPixelNoise(cv::Mat& raw, const PixelNoise& noise, double gain, const RandomStream& stream) {
   CV_Assert(raw.type() == CV_32FC1 && raw.isContinuous());
-  const std::vector<float>& normals = normalTable();
+  const std::vector<float>& normals = standardNormalNumbers();
   const auto perElectron = static_cast<float>(gain / noise.fullWellElectrons);
   const auto readVariance =
-      static_cast<float>(noise.readElectrons * noise.readElectrons) * perElectron * perElectron;
+      static_cast<float>(noise.readNoiseElectrons * noise.readNoiseElectrons) * perElectron *
+      perElectron;
   auto* values = raw.ptr<float>();
   const std::size_t count = raw.total();
   // Eight values from the four words of one draw.

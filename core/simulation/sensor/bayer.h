@@ -11,9 +11,9 @@ namespace dewpoint::simulation {
 /// variance of the number of electrons equals its mean. Reading out the electrons adds more noise.
 struct PixelNoise {
   /// Number of electrons at full scale with a gain of 1, that is, at the nominal exposure of the
-  /// scene (CameraGain::exposure).
+  /// scene (CameraGain::exposureGain).
   double fullWellElectrons = 0.0;
-  double readElectrons = 0.0; ///< standard deviation of the read noise, electrons
+  double readNoiseElectrons = 0.0; ///< standard deviation of the read noise, electrons
 };
 
 /// Returns the signal of a sensor whose pixels lie under a color filter array (CV_32FC1). `linear`
@@ -24,7 +24,7 @@ cv::Mat bayerMosaic(const cv::Mat& linear);
 /// Adds noise to `raw` (CV_32FC1, 1 is full scale). The variance of the noise, relative to the
 /// squared full scale, is (raw + read^2 / electrons) / electrons. Here, electrons =
 /// fullWellElectrons / gain is the number of electrons at full scale, and read is
-/// PixelNoise::readElectrons.
+/// PixelNoise::readNoiseElectrons.
 void addPixelNoise(cv::Mat& raw, const PixelNoise& noise, double gain, const RandomStream& stream);
 
 /// Returns the colors of all pixels (CV_32FC3, BGR), reconstructed from a mosaic `raw` (CV_32FC1).

@@ -8,7 +8,7 @@
 
 namespace dewpoint::simulation {
 
-const std::vector<float>& normalTable() {
+const std::vector<float>& standardNormalNumbers() {
   static const std::vector<float> table = [] {
     std::vector<float> values(kNormalCount);
     const RandomStream stream(0, 0, 0, RandomPurpose::Noise);

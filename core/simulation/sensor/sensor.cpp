@@ -14,7 +14,7 @@
 namespace dewpoint::simulation {
 cv::Mat digitize(const cv::Mat& image, double noiseSigma, const RandomStream& stream) {
   cv::Mat result(image.size(), CV_8UC3);
-  const std::vector<float>& normals = normalTable();
+  const std::vector<float>& normals = standardNormalNumbers();
   const auto sigma = static_cast<float>(noiseSigma);
   const auto values = static_cast<std::size_t>(image.total()) * 3;
   const auto* in = image.ptr<float>();
@@ -53,7 +53,7 @@ cv::Mat sharpened(const cv::Mat& image, const Sharpening& sharpening) {
   return result;
 }
 
-cv::Mat unevenLight(cv::Size size, double vignette, double right, double down) {
+cv::Mat unevenLightGains(cv::Size size, double vignette, double right, double down) {
   cv::Mat gains(size, CV_32FC3);
   for (int row = 0; row < size.height; ++row) {
     for (int column = 0; column < size.width; ++column) {

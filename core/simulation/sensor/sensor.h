@@ -27,6 +27,6 @@ cv::Mat jpegCompressed(const cv::Mat& image, int quality);
 /// Returns the gain of each pixel (CV_32FC3) for uneven light. The light decreases toward the
 /// corners by the fraction `vignette`, and changes linearly from the center to the right and lower
 /// borders by the fractions `right` and `down`.
-cv::Mat unevenLight(cv::Size size, double vignette, double right, double down);
+cv::Mat unevenLightGains(cv::Size size, double vignette, double right, double down);
 
 } // namespace dewpoint::simulation

@@ -20,15 +20,15 @@ void multiplyRows(cv::Mat& image, const std::vector<float>& gains) {
 /// From the light on the sensor to levels (CV_32FC3) before the last noise and rounding.
 cv::Mat processed(const cv::Mat& light, const SensorModel& model, double time,
                   const RandomStream& stream) {
-  const CameraGain gain = model.gains.gainAt(time);
+  const CameraGain gain = model.gainCurve.gainAt(time);
   cv::Mat linear = blurred(linearImage(light), model.psfSigmaPx);
-  if (model.flicker.depth > 0.0) {
+  if (model.flicker.modulationDepth > 0.0) {
     multiplyRows(linear, rowGains(model.flicker, model.shutter, linear.rows, time));
   }
-  linear *= gain.exposure;
+  linear *= gain.exposureGain;
   if (model.noise.fullWellElectrons > 0.0) {
     cv::Mat raw = bayerMosaic(linear);
-    addPixelNoise(raw, model.noise, gain.exposure, stream);
+    addPixelNoise(raw, model.noise, gain.exposureGain, stream);
     linear = demosaiced(raw);
   }
   return applyToneCurve(linear, gain.whiteBalance, model.contrast);
@@ -37,8 +37,8 @@ cv::Mat processed(const cv::Mat& light, const SensorModel& model, double time,
 } // namespace
 
 bool SensorModel::changesLight() const {
-  return psfSigmaPx > 0.0 || noise.fullWellElectrons > 0.0 || flicker.depth > 0.0 ||
-         contrast != 1.0 || !gains.gainPerFrame.empty();
+  return psfSigmaPx > 0.0 || noise.fullWellElectrons > 0.0 || flicker.modulationDepth > 0.0 ||
+         contrast != 1.0 || !gainCurve.gainPerFrame.empty();
 }
 
 cv::Mat sensorImage(const cv::Mat& light, const SensorModel& model, double time, double noiseSigma,

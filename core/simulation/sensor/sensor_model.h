@@ -18,7 +18,7 @@ struct SensorModel {
   Shutter shutter;
   Flicker flicker; ///< flicker of the light; its effect depends on the shutter
   CameraDrift drift;
-  GainCurve gains;         ///< automatic exposure and white balance over the run
+  GainCurve gainCurve;     ///< automatic exposure and white balance over the run
   double psfSigmaPx = 0.0; ///< standard deviation of the lens blur (Gaussian), pixels
   /// Noise of the pixels under a color filter array; if `fullWellElectrons` is 0, the sensor has no
   /// such array and no such noise.

@@ -44,8 +44,9 @@ std::vector<float> rowGains(const Flicker& flicker, const Shutter& shutter, int 
   std::vector<float> gains(static_cast<std::size_t>(rows));
   for (int row = 0; row < rows; ++row) {
     const double at = time + rowTime(shutter, row, rows);
-    const double swing = std::sin(kTurn * flicker.frequencyHz * at + flicker.phase);
-    gains[static_cast<std::size_t>(row)] = static_cast<float>(1.0 + flicker.depth * kept * swing);
+    const double swing = std::sin(kTurn * flicker.frequencyHz * at + flicker.phaseRadians);
+    gains[static_cast<std::size_t>(row)] =
+        static_cast<float>(1.0 + flicker.modulationDepth * kept * swing);
   }
   return gains;
 }

@@ -18,11 +18,11 @@ struct Shutter {
 /// rows. The time is negative in the upper half of the image.
 double rowTime(const Shutter& shutter, int row, int rows);
 
-/// Band of image rows [begin, end) that are rendered as if they had the same time.
+/// Band of image rows [firstRow, endRow) that are rendered as if they had the same time.
 struct RowBand {
-  int begin = 0;
-  int end = 0;
-  double time = 0.0; ///< time of the band's central row, seconds from the frame's time
+  int firstRow = 0;
+  int endRow = 0;
+  double centerTime = 0.0; ///< time of the band's central row, seconds from the frame's time
 };
 
 /// Divides an image with `rows` rows into bands, from top to bottom. A global shutter gives a
@@ -32,8 +32,9 @@ std::vector<RowBand> rowBands(const Shutter& shutter, int rows);
 /// Flicker of lamps on alternating current, whose light oscillates at twice the mains frequency.
 struct Flicker {
   double frequencyHz = 100.0; ///< frequency of the light, Hz
-  double depth = 0.0; ///< amplitude of the oscillation relative to the mean light; 0: steady light
-  double phase = 0.0; ///< phase of the oscillation at time 0, radians
+  double modulationDepth =
+      0.0; ///< amplitude of the oscillation relative to the mean light; 0: steady light
+  double phaseRadians = 0.0; ///< phase of the oscillation at time 0, radians
 };
 
 /// Returns the light in each image row of a frame at `time` (seconds), relative to steady light:

@@ -33,8 +33,8 @@ struct Solid {
   Vector3f halfSize; ///< half size along the solid's own axes, meters
   float yaw = 0.0F;  ///< rotation angle about Z, radians
   Material material;
-  float cosine = 1.0F;         ///< cosine of `yaw`
-  float sine = 0.0F;           ///< sine of `yaw`
+  float yawCosine = 1.0F;      ///< cosine of `yaw`
+  float yawSine = 0.0F;        ///< sine of `yaw`
   float boundingRadius = 0.0F; ///< radius of a sphere around the solid, meters
 };
 
@@ -45,14 +45,14 @@ Solid makeSolid(Shape shape, const Vector3f& center, const Vector3f& halfSize,
 
 /// Converts a vector from the world frame to the solid's own axes.
 inline Vector3f toSolidFrame(const Solid& solid, const Vector3f& v) {
-  return {solid.cosine * v.x() + solid.sine * v.y(), -solid.sine * v.x() + solid.cosine * v.y(),
-          v.z()};
+  return {solid.yawCosine * v.x() + solid.yawSine * v.y(),
+          -solid.yawSine * v.x() + solid.yawCosine * v.y(), v.z()};
 }
 
 /// Converts a vector from the solid's own axes to the world frame.
 inline Vector3f toWorld(const Solid& solid, const Vector3f& v) {
-  return {solid.cosine * v.x() - solid.sine * v.y(), solid.sine * v.x() + solid.cosine * v.y(),
-          v.z()};
+  return {solid.yawCosine * v.x() - solid.yawSine * v.y(),
+          solid.yawSine * v.x() + solid.yawCosine * v.y(), v.z()};
 }
 
 } // namespace dewpoint::simulation

@@ -11,14 +11,15 @@ namespace dewpoint::simulation {
 /// surface normal and `axis` is below a limit. On a ball, the patch is a spherical cap.
 struct SurfacePatch {
   Vector3f axis{0.0F, 0.0F, 1.0F};  ///< unit vector in the body's own axes
-  float cosine = 1.0F;              ///< cosine of the limit of the angle; 0: half of the ball
+  float maxAngleCosine = 1.0F;      ///< cosine of the limit of the angle; 0: half of the ball
   Vector3f color{0.0F, 0.0F, 0.0F}; ///< BGR in full light, [0, 255]
 };
 
 /// Band of another color around a great circle.
 struct SurfaceSeam {
   Vector3f axis{0.0F, 0.0F, 1.0F}; ///< axis of the circle; unit vector in the body's own axes
-  float sine = 0.0F; ///< sine of the largest angle between the band and the plane of the circle
+  float maxAngleSine =
+      0.0F; ///< sine of the largest angle between the band and the plane of the circle
   Vector3f color{0.0F, 0.0F, 0.0F};
 };
 
@@ -34,12 +35,12 @@ struct SurfacePattern {
 };
 
 /// Reflection of the lamp on a surface (Blinn, SIGGRAPH 1977). The reflection adds white light of
-/// peak * cos(a)^power gray levels, where a is the angle between the surface normal and the
+/// peakLevel * cos(a)^exponent gray levels, where a is the angle between the surface normal and the
 /// bisector of the directions to lamp and camera. The highlight is clipped where the sum reaches
 /// 255.
 struct Gloss {
-  float peak = 0.0F;
-  float power = 12.0F;
+  float peakLevel = 0.0F;
+  float exponent = 12.0F;
 
   /// Returns the gray levels of the highlight. All vectors are unit vectors; `direction` is from
   /// the camera to the surface.

@@ -10,22 +10,22 @@
 
 namespace dewpoint::tracking {
 
-CameraReport explainByColor(const cv::Mat& image, const ColorClassifier& color,
-                            const Projector& projector, const SphereEstimate& estimate,
-                            std::size_t camera) {
+CameraReport reportByColor(const cv::Mat& image, const ColorClassifier& color,
+                           const Projector& projector, const SphereEstimate& estimate,
+                           std::size_t camera) {
   if (image.empty()) {
     return {CameraStatus::NoImage, 0.0};
   }
   const bool known = camera < estimate.cameras.size();
-  if (known && estimate.cameras[camera].visible > 0.0) {
+  if (known && estimate.cameras[camera].visibleShare > 0.0) {
     return {};
   }
   if (isDark(image)) {
     return {CameraStatus::Dark, 0.0};
   }
   const auto expected = projector.project(estimate.mean);
-  const bool expectedHere = expected && known && estimate.cameras[camera].inView;
-  if (!expectedHere && estimate.valid) {
+  const bool expectedHere = expected && known && estimate.cameras[camera].isInView;
+  if (!expectedHere && estimate.isValid) {
     return {CameraStatus::OutOfView, 0.0};
   }
   // A position that is only searched from does not say that the target is outside the image.

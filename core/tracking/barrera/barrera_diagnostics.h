@@ -18,9 +18,9 @@ namespace dewpoint::tracking {
 
 /// Returns whether camera number `camera` confirms the target at the position of an estimate, and
 /// the reason if the camera does not. `image` is the image of this camera.
-CameraReport explainByColor(const cv::Mat& image, const ColorClassifier& color,
-                            const Projector& projector, const SphereEstimate& estimate,
-                            std::size_t camera);
+CameraReport reportByColor(const cv::Mat& image, const ColorClassifier& color,
+                           const Projector& projector, const SphereEstimate& estimate,
+                           std::size_t camera);
 
 /// Returns a map of the log likelihood of the color window (ColorWindow) around each pixel. The map
 /// extends up to `reach` pixels in each direction from the projection of `position` (meters, world

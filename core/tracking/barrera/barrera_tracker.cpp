@@ -42,9 +42,9 @@ SphereEstimate BarreraTracker::iterate(ThreadTeam& team) {
   SphereEstimate result = step(observation_, team);
   addEvidence(result);
   const int needed = std::clamp(static_cast<int>(observation_.cameraCount()), 1, 2);
-  result.valid = result.seeingCameraCount >= needed && isInVolumeOfInterest(result.mean);
+  result.isValid = result.seeingCameraCount >= needed && isInVolumeOfInterest(result.mean);
   result.existenceProbability =
-      result.valid ? 1.0 : 0.0; // the paper's filter has no existence probability
+      result.isValid ? 1.0 : 0.0; // the paper's filter has no existence probability
   estimate_ = result;
   return result;
 }
@@ -58,7 +58,7 @@ SphereEstimate BarreraTracker::correct(const Gaussian3& position) {
 void BarreraTracker::addEvidence(SphereEstimate& estimate) const {
   estimate.cameras = evidence(estimate.mean);
   estimate.seeingCameraCount = static_cast<int>(std::ranges::count_if(
-      estimate.cameras, [](const CameraEvidence& camera) { return camera.visible > 0.0; }));
+      estimate.cameras, [](const CameraEvidence& camera) { return camera.visibleShare > 0.0; }));
 }
 
 std::vector<CameraEvidence> BarreraTracker::evidence(const Eigen::Vector3d& point) const {
@@ -66,8 +66,8 @@ std::vector<CameraEvidence> BarreraTracker::evidence(const Eigen::Vector3d& poin
   for (std::size_t k = 0; k < cameras.size(); ++k) {
     if (const auto count = observation_.matchCount(k, point)) {
       const int counted = std::max(*count, 1);
-      cameras[k].inView = true;
-      cameras[k].visible = static_cast<double>(*count) / WindowCounts::kWindowPixelCount;
+      cameras[k].isInView = true;
+      cameras[k].visibleShare = static_cast<double>(*count) / WindowCounts::kWindowPixelCount;
       cameras[k].logLikelihood =
           std::log(static_cast<double>(counted) / WindowCounts::kWindowPixelCount);
       cameras[k].existenceProbability =
@@ -90,7 +90,7 @@ std::vector<CameraReport> BarreraTracker::cameraReports() const {
   std::vector<CameraReport> reports;
   for (std::size_t camera = 0; camera < observation_.cameraCount(); ++camera) {
     reports.push_back(
-        explainByColor(imageOf(camera), classifier_, projectors_[camera], estimate_, camera));
+        reportByColor(imageOf(camera), classifier_, projectors_[camera], estimate_, camera));
   }
   return reports;
 }

@@ -57,13 +57,13 @@ SphereEstimate DynamicsTracker::iterate(ThreadTeam& team) {
   SphereEstimate result = step(PositionLikelihood{measured_, sigma}, team);
   result.cameras.resize(unprojectors_.size());
   for (std::size_t camera = 0; camera < seen_.size(); ++camera) {
-    result.cameras[camera].inView = !imageOf(camera).empty();
-    result.cameras[camera].visible = seen_[camera] ? 1.0 : 0.0;
-    result.cameras[camera].existenceProbability = result.cameras[camera].visible;
+    result.cameras[camera].isInView = !imageOf(camera).empty();
+    result.cameras[camera].visibleShare = seen_[camera] ? 1.0 : 0.0;
+    result.cameras[camera].existenceProbability = result.cameras[camera].visibleShare;
   }
   result.seeingCameraCount = static_cast<int>(std::ranges::count(seen_, true));
-  result.valid = measured_.has_value() && isInVolumeOfInterest(result.mean);
-  result.existenceProbability = result.valid ? 1.0 : 0.0; // the filter has no opinion of its own
+  result.isValid = measured_.has_value() && isInVolumeOfInterest(result.mean);
+  result.existenceProbability = result.isValid ? 1.0 : 0.0; // the filter has no opinion of its own
   if (measured_) {
     result.measurement = Gaussian3{*measured_, sigma * sigma * Eigen::Matrix3d::Identity()};
   }

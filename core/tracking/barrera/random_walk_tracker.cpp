@@ -55,8 +55,8 @@ SphereEstimate RandomWalkTracker::correct(const Gaussian3& position) {
   estimate_.covariance = position.covariance;
   estimate_.effectiveSampleSize = static_cast<double>(count);
   estimate_.particleCount = static_cast<int>(count);
-  estimate_.degenerate = false;
-  estimate_.valid = true;
+  estimate_.isDegenerate = false;
+  estimate_.isValid = true;
   estimate_.existenceProbability = 1.0;
   return estimate_;
 }
@@ -79,10 +79,10 @@ std::size_t RandomWalkTracker::memoryBytes() const {
 }
 
 Eigen::ArrayXXd RandomWalkTracker::drawStartParticles() const {
-  const StartVolume start = startVolume(parameters_);
-  return drawUniformly(volume_ ? startVolumeWithin(start, *volume_) : start,
-                       static_cast<Eigen::Index>(parameters_.at("particles")),
-                       RandomStream(key_.seed, 0, 0, RandomPurpose::Start));
+  const StartVolume start = startVolumeOf(parameters_);
+  return drawUniformPositions(volume_ ? startVolumeWithin(start, *volume_) : start,
+                              static_cast<Eigen::Index>(parameters_.at("particles")),
+                              RandomStream(key_.seed, 0, 0, RandomPurpose::Start));
 }
 
 } // namespace dewpoint::tracking

@@ -91,7 +91,7 @@ SphereEstimate RandomWalkTracker::step(const O& observation, ThreadTeam& team) {
   result.covariance = state.covariance;
   result.effectiveSampleSize = state.effectiveSampleSize;
   result.particleCount = static_cast<int>(particleCount);
-  result.degenerate = state.degenerate;
+  result.isDegenerate = state.isDegenerate;
   return result;
 }
 

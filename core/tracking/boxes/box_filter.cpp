@@ -48,7 +48,7 @@ Result<ImageBox> boxFromClick(const cv::Mat& bgr, double x, double y) {
     return failure(ErrorCode::BadValue, {}, "pixel",
                    fmt::format("{} x {} pixels are in the image", bgr.cols, bgr.rows));
   }
-  const auto box = clickBox(bgr, {x, y});
+  const auto box = boxAroundClick(bgr, {x, y});
   if (!box || !checkBox(bgr, *box)) {
     return failure(ErrorCode::Undetermined, {}, "pixel",
                    "no object stands out there; give a box instead");

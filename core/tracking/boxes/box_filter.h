@@ -42,8 +42,8 @@ concept BoxFilter = std::copy_constructible<F> && std::constructible_from<F, Par
 /// center in the image. Error: BadValue with the field "image" or "box".
 Status checkBox(const cv::Mat& bgr, const ImageBox& box);
 
-/// Returns the box around the object at the clicked pixel (x, y), found by its colors (clickBox()).
-/// Error: BadValue with the field "pixel" or "image".
+/// Returns the box around the object at the clicked pixel (x, y), found by its colors
+/// (boxAroundClick()). Error: BadValue with the field "pixel" or "image".
 Result<ImageBox> boxFromClick(const cv::Mat& bgr, double x, double y);
 
 } // namespace dewpoint::tracking

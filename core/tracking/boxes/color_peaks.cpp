@@ -17,8 +17,8 @@ struct Place {
 
 } // namespace
 
-std::vector<Eigen::Vector2d> colorPeaks(const TargetMap& map, double width, double height,
-                                        std::size_t most, double least) {
+std::vector<Eigen::Vector2d> findColorPeaks(const TargetMap& map, double width, double height,
+                                            std::size_t most, double least) {
   const double step = std::max(1.0, std::floor(kGrid * std::min(width, height)));
   const cv::Rect& region = map.region();
   std::vector<Place> places;

@@ -11,7 +11,7 @@ namespace dewpoint::tracking {
 /// large TargetMap::sum()), the largest sum first. Returns at most `most` centers. Every sum is at
 /// least `least`, and no two boxes overlap by more than a quarter both horizontally and vertically.
 /// The tested positions form a grid with a spacing of a quarter of the box.
-std::vector<Eigen::Vector2d> colorPeaks(const TargetMap& map, double width, double height,
-                                        std::size_t most, double least);
+std::vector<Eigen::Vector2d> findColorPeaks(const TargetMap& map, double width, double height,
+                                            std::size_t most, double least);
 
 } // namespace dewpoint::tracking

@@ -238,12 +238,12 @@ BoxEstimate HistogramTracker::estimateMode(const cv::Mat& bgr) {
   result.box = boxOf(state.mean.transpose().array(), 0);
   const double share = score(result.box) / usualScore_;
   result.similarity = std::clamp(colors_.similarityOf(bgr, result.box) / firstLikeness_, 0.0, 1.0);
-  result.spread =
+  result.spreadPixels =
       std::sqrt(std::max(0.0, state.covariance(kX, kX) + state.covariance(kY, kY))) / shrink_;
   result.effectiveSampleSize = 1.0 / weights_.square().sum();
   result.particleCount = static_cast<int>(states_.rows());
-  result.visible = share >= hiddenBelow_;
-  result.degenerate = degenerate_;
+  result.isVisible = share >= hiddenBelow_;
+  result.isDegenerate = degenerate_;
   return result;
 }
 
@@ -258,8 +258,8 @@ void HistogramTracker::adapt(const cv::Mat& bgr, double share) {
 
 void HistogramTracker::resample() {
   Ancestors ancestors;
-  SystematicResampling().ancestors(weights_, particleCount_,
-                                   {seed_, frame_, 0, RandomPurpose::Resampling}, ancestors);
+  SystematicResampling().drawAncestors(weights_, particleCount_,
+                                       {seed_, frame_, 0, RandomPurpose::Resampling}, ancestors);
   weighted_ = states_(ancestors, Eigen::all);
   weighted_.swap(states_);
 }
@@ -270,12 +270,12 @@ BoxEstimate HistogramTracker::step(const cv::Mat& bgr, ThreadTeam& team) {
   const cv::Mat image = shrunk(bgr);
   map_.build(image, searchRegion(), colors_);
   const double least = kLeastPeak * usualScore_ * sizeFactor(box_);
-  const auto peaks = colorPeaks(map_, box_.width, box_.height, kPeaks, least);
+  const auto peaks = findColorPeaks(map_, box_.width, box_.height, kPeaks, least);
   Eigen::ArrayXd logWeights(states_.rows());
   move(peaks, logWeights, team);
   degenerate_ = !normalize(logWeights, weights_, team);
   BoxEstimate result = estimateMode(image);
-  if (result.visible) {
+  if (result.isVisible) {
     hiddenFrames_ = 0;
     box_ = result.box;
     adapt(image, score(box_) / usualScore_);

@@ -25,7 +25,7 @@ class MultiBoxTracker final : public Tracker,
                               public Configurable,
                               public TargetTracking,
                               public BoxTracking,
-                              public ReferenceColors,
+                              public ReferenceColorReporting,
                               public CameraReporting,
                               public Copyable {
 public:
@@ -67,7 +67,7 @@ private:
     std::string name;
     std::optional<TargetBox> box;
     std::optional<F> filter; ///< empty before the frame of the box
-    std::int64_t startedAt = -1;
+    std::int64_t startFrame = -1;
     BoxEstimate estimate;
     std::vector<double> referenceHistogram; ///< histogram of the box in its own frame
   };
@@ -124,7 +124,7 @@ template <BoxFilter F> void MultiBoxTracker<F>::restart(std::uint64_t seed) {
   frames_ = nullptr;
   for (TrackedBox& one : followed_) {
     one.filter.reset();
-    one.startedAt = -1;
+    one.startFrame = -1;
     one.estimate = {};
     one.referenceHistogram.clear();
   }
@@ -139,7 +139,8 @@ template <BoxFilter F> const cv::Mat* MultiBoxTracker<F>::imageOf(const TargetBo
 
 template <BoxFilter F> void MultiBoxTracker<F>::start(std::size_t target) {
   const TrackedBox& one = followed_[target];
-  if (!frames_ || !one.box || one.box->frame != frames_->index || one.startedAt == frames_->index) {
+  if (!frames_ || !one.box || one.box->frame != frames_->index ||
+      one.startFrame == frames_->index) {
     return;
   }
   if (const cv::Mat* image = imageOf(*one.box)) {
@@ -159,7 +160,7 @@ Status MultiBoxTracker<F>::startFollowing(std::size_t target, const cv::Mat& bgr
   }
   one.box = box;
   one.filter.emplace(std::move(filter));
-  one.startedAt = box.frame;
+  one.startFrame = box.frame;
   one.referenceHistogram = boxHistogram(bgr, box.box);
   one.estimate = BoxEstimate{};
   one.estimate.box = box.box;
@@ -171,14 +172,14 @@ Status MultiBoxTracker<F>::startFollowing(std::size_t target, const cv::Mat& bgr
 }
 
 template <BoxFilter F> void MultiBoxTracker<F>::step(TrackedBox& one, ThreadTeam& team) const {
-  if (!one.filter || one.startedAt == frames_->index) {
+  if (!one.filter || one.startFrame == frames_->index) {
     return; // in its own image, the target is at the box as defined
   }
   if (const cv::Mat* image = imageOf(*one.box)) {
     one.estimate = one.filter->step(*image, team);
     one.estimate.camera = one.box->camera;
   } else {
-    one.estimate.visible = false; // the camera delivered no image
+    one.estimate.isVisible = false; // the camera delivered no image
   }
 }
 
@@ -213,8 +214,8 @@ std::vector<CameraReport> MultiBoxTracker<F>::cameraReports(std::size_t track) c
     reports.resize(frames_->frames.size()); // the other cameras do not search for the target
     reports.at(static_cast<std::size_t>(one.box->camera)).status =
         imageOf(*one.box) == nullptr ? CameraStatus::NoImage
-        : isHeld(one.estimate)       ? CameraStatus::None
-        : one.estimate.visible       ? CameraStatus::OutOfView
+        : isConfirmed(one.estimate)  ? CameraStatus::None
+        : one.estimate.isVisible     ? CameraStatus::OutOfView
                                      : CameraStatus::Hidden;
   }
   return reports;

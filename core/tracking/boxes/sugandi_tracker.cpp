@@ -103,17 +103,17 @@ BoxEstimate SugandiTracker::estimateBox() const {
   BoxEstimate result;
   result.box = ImageBox::around(state.mean.head<2>(), box_.width, box_.height);
   result.similarity = similarity_->at(state.mean.x(), state.mean.y());
-  result.spread = std::sqrt(std::max(0.0, state.covariance(0, 0) + state.covariance(1, 1)));
+  result.spreadPixels = std::sqrt(std::max(0.0, state.covariance(0, 0) + state.covariance(1, 1)));
   result.effectiveSampleSize = state.effectiveSampleSize;
   result.particleCount = static_cast<int>(states_.rows());
-  result.degenerate = degenerate_;
+  result.isDegenerate = degenerate_;
   return result;
 }
 
 void SugandiTracker::resample() {
   Ancestors ancestors;
-  MultinomialResampling().ancestors(weights_, particleCount_,
-                                    {seed_, frame_, 0, RandomPurpose::Resampling}, ancestors);
+  MultinomialResampling().drawAncestors(weights_, particleCount_,
+                                        {seed_, frame_, 0, RandomPurpose::Resampling}, ancestors);
   weighted_ = states_(ancestors, Eigen::all);
   weighted_.swap(states_);
 }

@@ -60,14 +60,14 @@ constexpr MethodFamily kSpheres{
     .heading = "Colored objects in 3D", .describe = colorText, .noTargetsText = lackOfTargets};
 /// Positions where the rays of several cameras meet.
 constexpr MethodFamily kTriangulated{.heading = kSpheres.heading,
-                                     .minCameras = 2,
+                                     .minCameraCount = 2,
                                      .describe = colorText,
                                      .noTargetsText = lackOfTargets};
 constexpr MethodFamily kBoxes{
     .targetSource = TargetSource::Box,
     .heading = "Any object in the images of one camera (2D)",
     .needsCalibration = false,
-    .tables = RunTableKind::Boxes,
+    .tableKind = RunTableKind::Boxes,
     .hasBestParticle = false,
     .retracksAfterEdit = true,
     .describe = boxText,
@@ -77,8 +77,8 @@ constexpr MethodFamily kBoxes{
 constexpr MethodFamily kPeople{
     .targetSource = TargetSource::Images,
     .heading = "People in a room",
-    .minCameras = 2,
-    .tables = RunTableKind::People,
+    .minCameraCount = 2,
+    .tableKind = RunTableKind::People,
     .hasBestParticle = false,
     .hasMotionMasks = true,
     .describe = colorText,
@@ -225,7 +225,7 @@ std::vector<std::string> methodNames(TargetSource targets) {
 }
 
 std::vector<std::string> methodNames(RunTableKind tables) {
-  return namesWhere([tables](const MethodFamily& family) { return family.tables == tables; });
+  return namesWhere([tables](const MethodFamily& family) { return family.tableKind == tables; });
 }
 
 MethodFamily methodFamily(std::string_view method) {
@@ -239,15 +239,15 @@ MethodText methodText(std::string_view method) {
 }
 
 std::string_view methodSummary(std::string_view method) {
-  return methodText(method).sentence;
+  return methodText(method).summary;
 }
 
-std::string_view methodPage(std::string_view method) {
+std::string_view methodManualPage(std::string_view method) {
   const Method* row = findMethod(method);
   return (row != nullptr ? *row : kMethods[0]).text.manualPage;
 }
 
-std::vector<std::string_view> methodPages() {
+std::vector<std::string_view> methodManualPages() {
   std::vector<std::string_view> pages;
   for (const Method& method : kMethods) {
     if (std::ranges::find(pages, method.text.manualPage) == pages.end()) {
@@ -272,7 +272,7 @@ ParameterValues carryOverParameters(const ParameterValues& previous, std::string
     if (value != declaration.defaultValue) {
       (void)values.set(declaration.key, value); // or its own default stays
     } else {
-      values.markGiven(declaration.key);
+      values.markAsGiven(declaration.key);
     }
   }
   return values;

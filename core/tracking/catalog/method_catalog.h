@@ -42,8 +42,8 @@ struct MethodFamily {
   /// method works in the images of one camera and needs no calibration.
   bool needsCalibration = true;
   /// Smallest number of cameras with which a target can be found.
-  int minCameras = 1;
-  RunTableKind tables = RunTableKind::Trajectory;
+  int minCameraCount = 1;
+  RunTableKind tableKind = RunTableKind::Trajectory;
   /// True if trajectories have columns for the particle of highest weight.
   bool hasBestParticle = true;
   /// True if the masks and maps of these methods show motion instead of targets. They exist for
@@ -78,15 +78,15 @@ struct MethodFamily {
     return targetSource == other.targetSource;
   }
   /// Returns whether positions in the room are written, row by row during the run.
-  bool writesPositions() const { return tables != RunTableKind::Boxes; }
+  bool writesPositions() const { return tableKind != RunTableKind::Boxes; }
   /// Returns whether the bodies of the targets are also stored and written.
-  bool writesBodies() const { return tables == RunTableKind::People; }
+  bool writesBodies() const { return tableKind == RunTableKind::People; }
 };
 
 /// Description of a method, to help users choose one.
 struct MethodText {
   std::string_view title;      ///< title that names what the method tracks
-  std::string_view sentence;   ///< purpose or distinguishing feature of the method, in one line
+  std::string_view summary;    ///< purpose or distinguishing feature of the method, in one line
   std::string_view manualPage; ///< page of the manual, a file in docs/
   /// Paper that describes exactly this method; empty if the method was developed for this project.
   std::string_view paper = {};
@@ -138,13 +138,13 @@ std::vector<std::string> methodNames(RunTableKind tables);
 MethodFamily methodFamily(std::string_view method);
 /// Returns the description of a method, with empty strings if the name is unknown.
 MethodText methodText(std::string_view method);
-/// Returns MethodText::sentence of a method, or an empty text if the name is unknown.
+/// Returns MethodText::summary of a method, or an empty text if the name is unknown.
 std::string_view methodSummary(std::string_view method);
 /// Returns the manual page about a method, or the page about the default method if the name is
 /// unknown.
-std::string_view methodPage(std::string_view method);
+std::string_view methodManualPage(std::string_view method);
 /// Returns the manual pages of all methods without duplicates, in the order of methods().
-std::vector<std::string_view> methodPages();
+std::vector<std::string_view> methodManualPages();
 /// Returns the declarations of the parameters of a method, or nothing if the name is unknown.
 std::span<const ParameterDeclaration> methodParameters(std::string_view method);
 /// Returns parameters for `method` that keep the user's changes in `previous`, the parameters of

@@ -9,13 +9,13 @@ std::string parameterText(const ParameterDeclaration& declaration) {
   return fmt::format("{}{}{} ({} to {}){} {}", declaration.defaultValue,
                      declaration.unit.empty() ? "" : " ", declaration.unit, declaration.minimum,
                      declaration.maximum,
-                     declaration.derivedFromCameras ? ", unless given as the cameras show." : ".",
+                     declaration.isDerivedFromCameras ? ", unless given as the cameras show." : ".",
                      declaration.description);
 }
 
 std::string methodReference(const Method& method) {
   std::string text =
-      fmt::format("{}: {}. {}\n", method.name, method.text.title, method.text.sentence);
+      fmt::format("{}: {}. {}\n", method.name, method.text.title, method.text.summary);
   if (!method.text.paper.empty()) {
     text += fmt::format("Paper: {}\n", method.text.paper);
   }

@@ -28,7 +28,7 @@ std::vector<BackgroundModel::ExcludedCircle> excludedCircles(const TrackedObject
     if (const auto outline =
             object.observation.projector(camera).project(best->position(), best->radius)) {
       const double wider =
-          object.isBall() ? 1.0 : object.shape->track().longestAxis() / best->radius;
+          object.isBall() ? 1.0 : object.shapeTracking->track().longestAxis() / best->radius;
       hidden.push_back(
           {outline->center, wider * kNotLearnedRadii * outline->radius + kNotLearnedPx});
     }
@@ -45,7 +45,7 @@ bool noTargetIsElsewhere(const TrackedObjects& objects, std::size_t cameraCount,
     if (best == nullptr || !best->hasRim() || !best->wasOutlineFound || !objects[k].isBall() ||
         best->logLikelihoodRatio <
             TrackHypothesis::kMostlyVisibleShare * best->fullyVisibleLogLikelihoodRatio ||
-        !estimate.valid || estimate.existenceProbability < kSurelyThere ||
+        !estimate.isValid || estimate.existenceProbability < kSurelyThere ||
         estimate.seeingCameraCount < fewest) {
       return false;
     }
@@ -73,9 +73,10 @@ void forgetFamiliarPixelsOfLostTargets(TrackedObjects& objects, FrameImages& ima
                                        double interval, double patience) {
   for (std::size_t k = 0; k < objects.targetCount(); ++k) {
     TrackedObject& object = objects[k];
-    const double before = object.unseenSeconds;
-    object.unseenSeconds = object.track.confidentHypothesis() != nullptr ? 0.0 : before + interval;
-    if (before < patience && object.unseenSeconds >= patience) {
+    const double before = object.secondsSinceTracked;
+    object.secondsSinceTracked =
+        object.track.confidentHypothesis() != nullptr ? 0.0 : before + interval;
+    if (before < patience && object.secondsSinceTracked >= patience) {
       images.forgetFamiliarPixels();
     }
   }

@@ -27,9 +27,10 @@ std::vector<ClockEstimator::Sighting> clockSightings(const TrackedObjects& objec
     }
     // A frame in which the cameras disagree more than usual has something else wrong with it: a
     // duplicated image, or a target that is partly hidden.
-    const double trust = found->isSaturated()
-                             ? 1.0 / std::max({1.0, found->disagreement, found->lastDisagreement})
-                             : 0.0;
+    const double trust =
+        found->isSaturated()
+            ? 1.0 / std::max({1.0, found->meanCameraDisagreement, found->lastCameraDisagreement})
+            : 0.0;
     sightings.push_back({found->position(), found->velocity(), &found->cameraInformation, trust});
   }
   return sightings;

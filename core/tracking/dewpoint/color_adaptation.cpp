@@ -28,7 +28,7 @@ bool liesWithin(const SphereImage& outline, const cv::Size& size) {
 
 bool isCertain(const TrackedObject& target, const SphereEstimate& estimate) {
   const TrackHypothesis* best = target.track.mostLikelyHypothesis();
-  return best != nullptr && best->isSaturated() && estimate.valid && !estimate.degenerate &&
+  return best != nullptr && best->isSaturated() && estimate.isValid && !estimate.isDegenerate &&
          !estimate.extent && // its outline is not known to the pixel
          estimate.existenceProbability >= kMinExistence &&
          estimate.spread() <= kMaxSpreadRadii * estimate.radius &&
@@ -58,8 +58,8 @@ bool showsWhole(const TrackedObjects& objects, const FrameImages& images,
                 const SphereEstimate& estimate, std::size_t target, std::size_t camera,
                 const SphereImage& outline) {
   const auto& cameras = estimate.cameras;
-  if (camera >= cameras.size() || !cameras[camera].inView ||
-      cameras[camera].visible < kWholeShare || outline.radius < kMinRadiusPx ||
+  if (camera >= cameras.size() || !cameras[camera].isInView ||
+      cameras[camera].visibleShare < kWholeShare || outline.radius < kMinRadiusPx ||
       !liesWithin(outline, images.frame(camera)->image.size())) {
     return false;
   }

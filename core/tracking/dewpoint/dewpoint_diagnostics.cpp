@@ -72,7 +72,7 @@ std::optional<double> gapToDistractor(const TrackedObjects& objects, const Spher
       consider(*other, std::max(kBesidePx, outline.radius));
     }
   }
-  if (!estimate.valid) {
+  if (!estimate.isValid) {
     const auto& hypotheses = own.track.hypotheses();
     for (std::size_t k = 1; k < hypotheses.size(); ++k) {
       if (hypotheses[k].isSaturated()) {
@@ -93,21 +93,21 @@ CameraReport explainCamera(const TrackedObjects& objects, const FrameImages& ima
     return {CameraStatus::NoImage, 0.0};
   }
   const bool seen =
-      camera < estimate.cameras.size() && estimate.cameras[camera].visible >= kSeenShare;
+      camera < estimate.cameras.size() && estimate.cameras[camera].visibleShare >= kSeenShare;
   if (!seen && isDark(frame->image)) {
     return {CameraStatus::Dark, 0.0};
   }
   const auto outline =
       expected ? observation.projector(camera).project(expected->center, expected->radius)
                : std::nullopt;
-  const auto gap = outline && !(seen && estimate.valid)
+  const auto gap = outline && !(seen && estimate.isValid)
                        ? gapToDistractor(objects, estimate, target, camera, *outline)
                        : std::nullopt;
   if (gap) {
     return {CameraStatus::Distractor, *gap};
   }
   if (seen) {
-    const bool partly = estimate.cameras[camera].visible < kWholeShare && outline &&
+    const bool partly = estimate.cameras[camera].visibleShare < kWholeShare && outline &&
                         unknownShare(labels, *outline) >= kPartlyShare;
     return {partly ? CameraStatus::PartlyHidden : CameraStatus::None, 0.0};
   }
@@ -135,8 +135,8 @@ CameraReport explainCamera(const TrackedObjects& objects, const FrameImages& ima
 
 } // namespace
 
-std::vector<CameraReport> explainCameras(const TrackedObjects& objects, const FrameImages& images,
-                                         const SphereEstimate& estimate, std::size_t target) {
+std::vector<CameraReport> cameraReportsOf(const TrackedObjects& objects, const FrameImages& images,
+                                          const SphereEstimate& estimate, std::size_t target) {
   const auto expected = objects[target].track.expectedSphere();
   std::vector<CameraReport> reports;
   for (std::size_t camera = 0; camera < images.cameraCount(); ++camera) {
@@ -175,7 +175,7 @@ std::vector<LikelihoodMap> likelihoodMapsOf(const TrackedObjects& objects,
   const double radius = estimate.radius > 0.0 ? estimate.radius : own.track.target().radius;
   // Labels of its own: making more of them must not change what the tracker does next.
   SphereObservation observation = objects.makeObservation();
-  images.passTo(observation, own.color);
+  images.passImagesTo(observation, own.color);
   objects.markPixelsOfOthers(observation, own);
   for (std::size_t camera = 0; camera < cameraCount; ++camera) {
     LabelImage& labels = observation.labels(camera);
@@ -195,7 +195,7 @@ std::vector<LikelihoodMap> likelihoodMapsOf(const TrackedObjects& objects,
     map.minLogLikelihood = -map.maxLogLikelihood;
     map.logLikelihood.create(map.area.size(), CV_32F);
     SphereImage moved = *outline;
-    labels.ensureLabels(areaOf(moved, SphereEvidence::kReach, reach + 2.0));
+    labels.ensureLabels(areaOf(moved, SphereEvidence::kSampleReach, reach + 2.0));
     for (int row = 0; row < map.area.height; ++row) {
       for (int column = 0; column < map.area.width; ++column) {
         moved.center = Eigen::Vector2d(map.area.x + column, map.area.y + row);

@@ -16,8 +16,8 @@ namespace dewpoint::tracking {
 
 /// Returns for each camera whether the camera confirms a target, and the reason if not; see
 /// CameraReporting::cameraReports().
-std::vector<CameraReport> explainCameras(const TrackedObjects& objects, const FrameImages& images,
-                                         const SphereEstimate& estimate, std::size_t target);
+std::vector<CameraReport> cameraReportsOf(const TrackedObjects& objects, const FrameImages& images,
+                                          const SphereEstimate& estimate, std::size_t target);
 
 /// Returns the hypotheses of a target, and the positions of other objects of its color; see
 /// CandidateReporting::positionCandidates().

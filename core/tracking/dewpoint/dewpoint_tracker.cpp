@@ -37,15 +37,15 @@ DewpointTracker::DewpointTracker(const ParameterValues& parameters, const Camera
 BernoulliTrackSettings DewpointTracker::trackSettings() const {
   BernoulliTrackSettings settings;
   settings.maxParticles = static_cast<Eigen::Index>(parameters_.at("particles"));
-  if (const auto affordable = budget_.affordableParticles()) {
+  if (const auto affordable = budget_.affordableParticleCount()) {
     settings.maxParticles = std::min(static_cast<Eigen::Index>(*affordable), settings.maxParticles);
   }
   settings.minParticles = std::min(static_cast<Eigen::Index>(parameters_.at("fewest_particles")),
                                    settings.maxParticles);
   settings.kldError = parameters_.at("kld_error");
   settings.accelerationSigma = parameters_.at("acceleration_sigma");
-  settings.survivalTime = parameters_.at("survival_time");
-  settings.searchSize = parameters_.at("search_size");
+  settings.survivalSeconds = parameters_.at("survival_time");
+  settings.searchCubeEdge = parameters_.at("search_size");
   settings.systematicErrors.directionSigma = parameters_.at("calibration_error") * kDegree;
   settings.systematicErrors.timeSigma = 1e-3 * parameters_.at("time_error");
   return settings;
@@ -75,7 +75,7 @@ void DewpointTracker::setTargets(const std::vector<Target>& targets) {
       object.color = AdaptiveColor(targets[k].colors(), images_.cameraCount());
     }
     object.track.setTarget(targets[k]);
-    object.shape->setTarget(targets[k]);
+    object.shapeTracking->setTarget(targets[k]);
     object.search.reset();
   }
 }
@@ -92,14 +92,14 @@ void DewpointTracker::setCameras(const CameraRig& rig) {
   // along with those of the targets.
   objects_.setCameras(rig);
   for (TrackedObject& object : objects_) {
-    images_.passTo(object.observation, object.color);
+    images_.passImagesTo(object.observation, object.color);
   }
 }
 
 void DewpointTracker::setVolumeOfInterest(const std::optional<WorldBox>& volume) {
   for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
     objects_[k].track.setBounds(volume);
-    objects_[k].shape->track().setBounds(volume);
+    objects_[k].shapeTracking->track().setBounds(volume);
     objects_[k].search.reset();
   }
   if (!lastTime_) {
@@ -113,13 +113,13 @@ void DewpointTracker::correctPosition(std::size_t target, const Gaussian3& posit
   object.search.reset();
   forgetFamiliarPixelsAt(object, position.mean, images_);
   // Without what other objects explain: what the user points at is the target.
-  images_.passTo(object.observation, object.color);
+  images_.passImagesTo(object.observation, object.color);
   if (object.isBall()) {
-    object.track.correct(position, object.observation, object.randomKeyIn(key_), team);
+    object.track.correct(position, object.observation, object.randomKey(key_), team);
   } else {
-    images_.passTo(object.shape->observation(), object.color);
-    object.shape->correct(position, object.track.target().radius, object.randomKeyIn(key_), team);
-    object.track.setOnlyHypothesis(object.shape->track().hypothesis());
+    images_.passImagesTo(object.shapeTracking->observation(), object.color);
+    object.shapeTracking->correct(position, object.track.target().radius, object.randomKey(key_), team);
+    object.track.setOnlyHypothesis(object.shapeTracking->track().hypothesis());
   }
   updateEstimate(target);
   if (!estimates_[target].measurement) {
@@ -145,13 +145,13 @@ void DewpointTracker::restart(std::uint64_t seed) {
   distractors_.restart(objects_.targetCount());
   for (TrackedObject& object : objects_) {
     object.search.reset();
-    object.color.restoreLearned();
-    object.unseenFrames = 0;
-    object.unseenSeconds = 0.0;
+    object.color.restoreLearnedRanges();
+    object.unseenFrameCount = 0;
+    object.secondsSinceTracked = 0.0;
     object.track.configure(trackSettings());
-    object.track.restart(startVolume(parameters_), object.randomKeyIn(key_).seed);
-    object.shape->track().configure(trackSettings());
-    object.shape->restart(startVolume(parameters_));
+    object.track.restart(startVolumeOf(parameters_), object.randomKey(key_).seed);
+    object.shapeTracking->track().configure(trackSettings());
+    object.shapeTracking->restart(startVolumeOf(parameters_));
   }
   estimates_.assign(objects_.targetCount(), SphereEstimate{});
 }
@@ -180,8 +180,8 @@ void DewpointTracker::iterate(ThreadTeam& team) {
   budget_.beginIteration();
   for (TrackedObject& object : objects_) {
     object.track.configure(trackSettings());
-    if (object.shape) {
-      object.shape->track().configure(trackSettings());
+    if (object.shapeTracking) {
+      object.shapeTracking->track().configure(trackSettings());
     }
   }
   if (isFirst) {
@@ -189,7 +189,7 @@ void DewpointTracker::iterate(ThreadTeam& team) {
     images_.adaptToLight();
     extendColorsToLight();
   }
-  ObjectUpdate({objects_, images_, clocks_, search_, budget_, key_}, team).updateAll();
+  ObjectUpdate({objects_, images_, clocks_, search_, budget_, key_}, team).updateAllObjects();
   budget_.adaptParticleCount(parameters_.at("particles"));
   if (isFirst) {
     searchDistractors(team);
@@ -207,10 +207,10 @@ void DewpointTracker::iterate(ThreadTeam& team) {
 void DewpointTracker::predictTracks() {
   for (TrackedObject& object : objects_) {
     if (object.isBall()) {
-      object.track.predict(secondsSinceLastFrame(), object.randomKeyIn(key_));
+      object.track.predict(secondsSinceLastFrame(), object.randomKey(key_));
     }
-    if (object.shape) {
-      object.shape->predict(secondsSinceLastFrame(), object.randomKeyIn(key_));
+    if (object.shapeTracking) {
+      object.shapeTracking->predict(secondsSinceLastFrame(), object.randomKey(key_));
     }
   }
 }
@@ -219,22 +219,22 @@ void DewpointTracker::extendColorsToLight() {
   for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
     TrackedObject& object = objects_[k];
     if (object.track.confidentHypothesis() != nullptr) {
-      object.unseenFrames = 0;
+      object.unseenFrameCount = 0;
       continue;
     }
-    if (object.unseenFrames < kReachFrames || object.unseenFrames % kReachPeriod == 0) {
+    if (object.unseenFrameCount < kReachFrames || object.unseenFrameCount % kReachPeriod == 0) {
       for (std::size_t camera = 0; camera < images_.cameraCount(); ++camera) {
         if (const FramePtr frame = images_.frame(camera)) {
           object.color.extendToLight(camera, frame->image);
         }
       }
     }
-    ++object.unseenFrames;
+    ++object.unseenFrameCount;
   }
 }
 
 void DewpointTracker::searchDistractors(ThreadTeam& team) {
-  DistractorSearch::removeLost(objects_);
+  DistractorSearch::removeLostDistractors(objects_);
   objects_.resolveIdentities();
   distractors_.search({objects_, images_, search_, budget_, trackSettings(), key_}, team);
 }
@@ -247,9 +247,10 @@ void DewpointTracker::updateEstimates() {
 
 void DewpointTracker::updateEstimate(std::size_t target) {
   TrackedObject& object = objects_[target];
-  estimates_[target] = !object.isBall() && object.shape->track().hypothesis() != nullptr
-                           ? object.shape->track().estimate(object.shape->observation())
-                           : object.track.estimate(object.observation);
+  estimates_[target] =
+      !object.isBall() && object.shapeTracking->track().hypothesis() != nullptr
+          ? object.shapeTracking->track().estimate(object.shapeTracking->observation())
+          : object.track.estimate(object.observation);
   estimates_[target].colors = object.color.rangesInUse();
 }
 
@@ -294,13 +295,13 @@ std::size_t DewpointTracker::memoryBytes() const {
   std::size_t bytes = images_.memoryBytes();
   for (const TrackedObject& object : objects_) {
     bytes += object.track.memoryBytes();
-    bytes += object.shape ? object.shape->track().memoryBytes() : 0;
+    bytes += object.shapeTracking ? object.shapeTracking->track().memoryBytes() : 0;
   }
   return bytes;
 }
 
 std::vector<CameraReport> DewpointTracker::cameraReports(std::size_t target) const {
-  return explainCameras(objects_, images_, estimates_.at(target), target);
+  return cameraReportsOf(objects_, images_, estimates_.at(target), target);
 }
 
 std::vector<CandidatePosition> DewpointTracker::positionCandidates(std::size_t target) const {

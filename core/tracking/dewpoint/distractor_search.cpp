@@ -24,7 +24,7 @@ bool isNewDistractor(const Candidate& candidate, const TrackedObjects& objects,
   observation.setRadius(candidate.radius);
   const double fullyVisible =
       observation.fullyVisibleLogLikelihoodRatio(candidate.center, Eigen::Vector3d::Zero());
-  const auto occupied = objects.occupiedByOthers(objects.size());
+  const auto occupied = objects.spheresOfOthers(objects.size());
   const bool taken = std::any_of(occupied.begin(), occupied.end(), [&](const auto& sphere) {
     return (sphere.center - candidate.center).norm() < sphere.radius + candidate.radius;
   });
@@ -44,7 +44,7 @@ void DistractorSearch::restart(std::size_t targetCount) {
   nextStream_ = static_cast<std::uint32_t>(targetCount);
 }
 
-void DistractorSearch::removeLost(TrackedObjects& objects) {
+void DistractorSearch::removeLostDistractors(TrackedObjects& objects) {
   for (std::size_t k = objects.size(); k-- > objects.targetCount();) {
     const TrackHypothesis* own = objects[k].track.confidentHypothesis();
     const bool faint = own != nullptr && own->updateCount > kGraceUpdates &&
@@ -64,7 +64,7 @@ void DistractorSearch::search(const Context& context, ThreadTeam& team) {
     return;
   }
   if (frame % kDistractorSearchPeriod != kDistractorSearchPhase || objects.targetCount() == 0 ||
-      !objects.allTargetsVisible()) {
+      !objects.areAllTargetsVisible()) {
     return;
   }
   for (std::size_t k = 0; k < objects.targetCount(); ++k) {
@@ -81,7 +81,7 @@ void DistractorSearch::searchFor(std::size_t target, const Context& context, Thr
   }
   const double radius = objects[target].track.target().radius;
   TrackedObject probe = objects.makeDistractorProbe(target, context.settings);
-  context.images.passTo(probe.observation, probe.color);
+  context.images.passImagesTo(probe.observation, probe.color);
   // Otherwise the wrongly crossed rays of two known objects would make a third.
   objects.markPixelsOfOthers(probe.observation, probe);
   probe.observation.setRadius(radius);
@@ -98,7 +98,7 @@ void DistractorSearch::searchInSlices(const Context& context, ThreadTeam& team) 
   const TrackedObjects& objects = context.objects;
   const std::int64_t frame = frameCount_ - 1;
   const bool full = objects.distractorCount() >= kMaxDistractors;
-  if (full || objects.targetCount() == 0 || !objects.allTargetsVisible()) {
+  if (full || objects.targetCount() == 0 || !objects.areAllTargetsVisible()) {
     sliced_.reset();
     return;
   }
@@ -125,7 +125,7 @@ void DistractorSearch::searchInSlices(const Context& context, ThreadTeam& team) 
   }
   // The candidates are some frames old: finds where they are now.
   TrackedObject probe = objects.makeDistractorProbe(slicedTarget_, context.settings);
-  context.images.passTo(probe.observation, probe.color);
+  context.images.passImagesTo(probe.observation, probe.color);
   objects.markPixelsOfOthers(probe.observation, probe);
   for (Candidate candidate : candidates) {
     OutlinePrior prior;
@@ -133,7 +133,7 @@ void DistractorSearch::searchInSlices(const Context& context, ThreadTeam& team) 
     prior.radius = candidate.radius;
     prior.information = Eigen::Matrix3d::Identity() / (candidate.radius * candidate.radius);
     const OutlineFit fit = probe.observation.fit(prior, Eigen::Vector3d::Zero());
-    candidate.center = fit.found ? fit.center : candidate.center;
+    candidate.center = fit.isFound ? fit.center : candidate.center;
     probe.observation.setRadius(candidate.radius);
     const double now =
         probe.observation.logLikelihoodRatio(candidate.center, Eigen::Vector3d::Zero());
@@ -146,12 +146,12 @@ void DistractorSearch::searchInSlices(const Context& context, ThreadTeam& team) 
 
 void DistractorSearch::add(TrackedObject distractor, const Candidate& candidate,
                            const Context& context, ThreadTeam& team) {
-  distractor.stream = nextStream_++;
+  distractor.randomStreamId = nextStream_++;
   TrackedObject& added = context.objects.addDistractor(std::move(distractor));
   // Shown again, without what the search had explained by others.
-  context.images.passTo(added.observation, added.color);
+  context.images.passImagesTo(added.observation, added.color);
   added.track.initializeAt(candidate.center, candidate.radius, added.observation,
-                           added.randomKeyIn(context.key), team);
+                           added.randomKey(context.key), team);
 }
 
 } // namespace dewpoint::tracking

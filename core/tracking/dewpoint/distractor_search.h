@@ -40,7 +40,7 @@ public:
   /// Cancels the search in progress.
   void cancel() { sliced_.reset(); }
   /// Removes distractors that are lost, or hardly visible after several updates.
-  static void removeLost(TrackedObjects& objects);
+  static void removeLostDistractors(TrackedObjects& objects);
   /// Searches the images every few frames and adds at most one distractor per color. Call this
   /// function once per frame, after all updates. If there is a time budget, a search is spread over
   /// several frames.

@@ -19,19 +19,21 @@ double FrameImages::timeOffset(std::size_t camera) const {
   return image ? seconds(image->captureTime - frames_->time) - delays_[camera] : 0.0;
 }
 
-void FrameImages::passTo(SphereObservation& observation, const AdaptiveColor& color) const {
+void FrameImages::passImagesTo(SphereObservation& observation, const AdaptiveColor& color) const {
   for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
     const FramePtr image = frame(camera);
     observation.setImage(camera, image ? image->image : cv::Mat(), timeOffset(camera),
-                         backgrounds_[camera], color.inUse(camera), color.learned());
+                         backgrounds_[camera], color.classifierInUse(camera),
+                         color.learnedClassifier());
   }
 }
 
-void FrameImages::passTo(RegionObservation& observation, const AdaptiveColor& color) const {
+void FrameImages::passImagesTo(RegionObservation& observation, const AdaptiveColor& color) const {
   for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
     const FramePtr image = frame(camera);
     observation.setImage(camera, image ? image->image : cv::Mat(), timeOffset(camera),
-                         backgrounds_[camera], color.inUse(camera), color.learned());
+                         backgrounds_[camera], color.classifierInUse(camera),
+                         color.learnedClassifier());
   }
 }
 

@@ -35,9 +35,9 @@ public:
   double timeOffset(std::size_t camera) const;
   /// Passes the images of all cameras to an observation model. The images, the backgrounds and
   /// `color` must remain valid while the observation is used.
-  void passTo(SphereObservation& observation, const AdaptiveColor& color) const;
+  void passImagesTo(SphereObservation& observation, const AdaptiveColor& color) const;
 
-  void passTo(RegionObservation& observation, const AdaptiveColor& color) const;
+  void passImagesTo(RegionObservation& observation, const AdaptiveColor& color) const;
 
   /// Sets the background images, one per camera. The image is empty for a camera without a
   /// background image. The images take effect at the next resetBackgrounds().

@@ -3,7 +3,7 @@
 
 namespace dewpoint::tracking {
 
-void ObjectUpdate::updateAll() {
+void ObjectUpdate::updateAllObjects() {
   for (std::size_t k = in_.objects.targetCount(); k < in_.objects.size(); ++k) {
     in_.objects.suppressIfAtTarget(k);
   }
@@ -29,7 +29,7 @@ void ObjectUpdate::update(std::size_t index) {
 
 void ObjectUpdate::updateShape(std::size_t target) {
   TrackedObject& object = in_.objects[target];
-  ShapeTracking& shape = *object.shape;
+  ShapeTracking& shape = *object.shapeTracking;
   const bool wasBall = object.isBall();
   const TrackHypothesis* const ball = wasBall ? object.track.confidentHypothesis() : nullptr;
   if (wasBall && !shape.needsImages(ball != nullptr)) {
@@ -37,14 +37,14 @@ void ObjectUpdate::updateShape(std::size_t target) {
   }
   alignTimesFor(object);
   if (!wasBall) { // what was shown there is older
-    in_.images.passTo(object.observation, object.color);
+    in_.images.passImagesTo(object.observation, object.color);
   }
-  in_.images.passTo(shape.observation(), object.color);
+  in_.images.passImagesTo(shape.observation(), object.color);
   in_.objects.markPixelsOfOtherTargets(target);
   if (ball != nullptr) {
-    shape.measureBall(*ball, object.randomKeyIn(in_.key), team_);
+    shape.measureBall(*ball, object.randomKey(in_.key), team_);
   } else {
-    shape.update(in_.objects.occupiedByOtherTargets(target), object.randomKeyIn(in_.key), team_);
+    shape.update(in_.objects.spheresOfOtherTargets(target), object.randomKey(in_.key), team_);
   }
   const TrackHypothesis* const other = shape.track().hypothesis();
   if (!object.isBall()) {
@@ -52,7 +52,7 @@ void ObjectUpdate::updateShape(std::size_t target) {
     object.track.setOnlyHypothesis(other);
   } else if (!wasBall && other != nullptr) {
     object.track.initializeAt(other->position(), other->radius, object.observation,
-                              object.randomKeyIn(in_.key), team_);
+                              object.randomKey(in_.key), team_);
   }
 }
 
@@ -65,7 +65,7 @@ void ObjectUpdate::alignTimesFor(const TrackedObject& object) {
 void ObjectUpdate::updateAsBall(std::size_t index) {
   TrackedObject& object = in_.objects[index];
   alignTimesFor(object);
-  in_.images.passTo(object.observation, object.color);
+  in_.images.passImagesTo(object.observation, object.color);
   in_.objects.markPixelsOfOthers(object.observation, object);
   const auto findNow = [&](SphereObservation& observation, bool radiusKnown, std::size_t limit) {
     return in_.candidates.find(observation, radiusKnown, limit, object.track.bounds());
@@ -80,8 +80,8 @@ void ObjectUpdate::updateAsBall(std::size_t index) {
   };
   const CandidateSource search =
       in_.budget.isLimited() ? CandidateSource(findInSlices) : CandidateSource(findNow);
-  object.track.update(object.observation, search, in_.objects.occupiedByOthers(index),
-                      object.randomKeyIn(in_.key), team_);
+  object.track.update(object.observation, search, in_.objects.spheresOfOthers(index),
+                      object.randomKey(in_.key), team_);
   if (!searched) {
     object.search.reset(); // candidates in old images are of no use later
   }

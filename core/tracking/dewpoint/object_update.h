@@ -29,7 +29,7 @@ public:
 
   /// Updates all tracks, starting with the most probable object. Afterward, no two objects are at
   /// one position.
-  void updateAll();
+  void updateAllObjects();
 
 private:
   void update(std::size_t index);

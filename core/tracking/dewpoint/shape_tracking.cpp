@@ -23,7 +23,8 @@ double radiusOf(const std::vector<RegionMeasurement>& views, double radius) {
   int count = 0;
   for (const RegionMeasurement& view : views) {
     if (view.region) {
-      sum += 0.5 * std::log(4.0 * view.region->covariance.trace() / view.expected.extent.trace());
+      sum += 0.5 *
+             std::log(4.0 * view.region->covariance.trace() / view.expectedOutline.extent.trace());
       ++count;
     }
   }

@@ -21,20 +21,21 @@ struct TrackedObject {
   /// Search for the object that is spread over several frames because of the time budget; null if
   /// no such search is in progress.
   std::unique_ptr<SlicedSearch> search;
-  std::uint32_t stream = 0; ///< separates the random numbers of this object from those of others
-  int unseenFrames = 0;     ///< number of frames since the object was last tracked
+  /// Separates the random numbers of this object from those of others.
+  std::uint32_t randomStreamId = 0;
+  int unseenFrameCount = 0; ///< number of frames since the object was last tracked
   /// What is known about the shape of the target. Null for distractors, which are assumed to be
   /// balls.
-  std::unique_ptr<ShapeTracking> shape = nullptr;
-  double unseenSeconds = 0.0; ///< time in seconds since the object was last tracked
+  std::unique_ptr<ShapeTracking> shapeTracking = nullptr;
+  double secondsSinceTracked = 0.0; ///< time in seconds since the object was last tracked
 
   /// Returns whether the object is assumed to be a ball.
-  bool isBall() const { return !shape || shape->belief().isBall(); }
+  bool isBall() const { return !shapeTracking || shapeTracking->belief().isBall(); }
 
   /// Returns the key of the object's random numbers. `run` is the key of the run in the same frame
   /// and iteration.
-  RandomKey randomKeyIn(const RandomKey& run) const {
-    return {derivedSeed(run.seed, stream), run.frame, run.iteration};
+  RandomKey randomKey(const RandomKey& run) const {
+    return {derivedSeed(run.seed, randomStreamId), run.frame, run.iteration};
   }
 };
 

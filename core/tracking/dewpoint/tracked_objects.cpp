@@ -42,11 +42,12 @@ TrackedObjects::TrackedObjects(const std::vector<Target>& targets, const CameraR
 TrackedObjects::TrackedObjects(const TrackedObjects& other)
     : rig_(other.rig_), targetCount_(other.targetCount_) {
   for (const TrackedObject& object : other.objects_) {
-    objects_.push_back(
-        {object.track, SphereObservation(rig_), object.color, nullptr, object.stream,
-         object.unseenFrames,
-         object.shape ? std::make_unique<ShapeTracking>(*object.shape, rig_) : nullptr,
-         object.unseenSeconds});
+    objects_.push_back({object.track, SphereObservation(rig_), object.color, nullptr,
+                        object.randomStreamId, object.unseenFrameCount,
+                        object.shapeTracking
+                            ? std::make_unique<ShapeTracking>(*object.shapeTracking, rig_)
+                            : nullptr,
+                        object.secondsSinceTracked});
   }
 }
 
@@ -55,8 +56,8 @@ void TrackedObjects::setCameras(const CameraRig& rig) {
   for (TrackedObject& object : objects_) {
     object.observation = SphereObservation(rig);
     object.search.reset();
-    if (object.shape) {
-      object.shape->setCameras(rig);
+    if (object.shapeTracking) {
+      object.shapeTracking->setCameras(rig);
     }
   }
 }
@@ -103,7 +104,7 @@ std::vector<std::size_t> TrackedObjects::indicesByProbability() const {
   return order;
 }
 
-std::vector<OccupiedSphere> TrackedObjects::occupiedByOthers(std::size_t index) const {
+std::vector<OccupiedSphere> TrackedObjects::spheresOfOthers(std::size_t index) const {
   std::vector<OccupiedSphere> occupied;
   for (std::size_t k = 0; k < objects_.size(); ++k) {
     const TrackHypothesis* other = k != index ? objects_[k].track.confidentHypothesis() : nullptr;
@@ -114,7 +115,7 @@ std::vector<OccupiedSphere> TrackedObjects::occupiedByOthers(std::size_t index) 
   return occupied;
 }
 
-std::vector<OccupiedSphere> TrackedObjects::occupiedByOtherTargets(std::size_t index) const {
+std::vector<OccupiedSphere> TrackedObjects::spheresOfOtherTargets(std::size_t index) const {
   std::vector<OccupiedSphere> occupied;
   for (std::size_t k = 0; k < targetCount_; ++k) {
     const TrackHypothesis* other = k != index ? objects_[k].track.confidentHypothesis() : nullptr;
@@ -149,7 +150,7 @@ bool TrackedObjects::hasIdenticalTarget(std::size_t target) const {
   return false;
 }
 
-bool TrackedObjects::allTargetsVisible() const {
+bool TrackedObjects::areAllTargetsVisible() const {
   return std::all_of(objects_.begin(), objects_.begin() + static_cast<std::ptrdiff_t>(targetCount_),
                      [](const TrackedObject& object) {
                        const TrackHypothesis* best = object.track.mostLikelyHypothesis();
@@ -196,7 +197,7 @@ void TrackedObjects::markPixelsOfOtherTargets(std::size_t target) {
       continue;
     }
     for (std::size_t camera = 0; camera < own.observation.cameraCount(); ++camera) {
-      LabelImage& labels = own.shape->observation().views()[camera].labels;
+      LabelImage& labels = own.shapeTracking->observation().views()[camera].labels;
       const auto outline =
           own.observation.projector(camera).project(other->position(), other->radius);
       if (!labels.empty() && outline) {
@@ -212,7 +213,7 @@ std::unique_ptr<SlicedSearch> TrackedObjects::startSearch(const TrackedObject& o
                                                           const FrameImages& images) const {
   auto search = std::make_unique<SlicedSearch>(rig_, own.color, own.track.target().radius,
                                                images.frames(), own.track.bounds());
-  images.passTo(search->observation(), search->color());
+  images.passImagesTo(search->observation(), search->color());
   markPixelsOfOthers(search->observation(), own);
   return search;
 }
@@ -266,7 +267,7 @@ void TrackedObjects::resolveConflicts() {
 
 void TrackedObjects::resolveIdentities() {
   for (std::size_t k = 0; k < targetCount_; ++k) {
-    objects_[k].track.removeOccupied(occupiedByOthers(k));
+    objects_[k].track.removeOccupied(spheresOfOthers(k));
     objects_[k].track.resolveIdentity(hasIdenticalTarget(k));
   }
 }

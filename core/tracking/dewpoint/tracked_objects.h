@@ -51,10 +51,10 @@ public:
   std::vector<std::size_t> indicesByProbability() const;
   /// Returns the spheres occupied by confident tracks of objects other than `index`. If `index` is
   /// not below size(), the spheres of all confident tracks are returned.
-  std::vector<OccupiedSphere> occupiedByOthers(std::size_t index) const;
+  std::vector<OccupiedSphere> spheresOfOthers(std::size_t index) const;
   /// Returns the spheres occupied by confident tracks of targets other than `index`, without
   /// distractors.
-  std::vector<OccupiedSphere> occupiedByOtherTargets(std::size_t index) const;
+  std::vector<OccupiedSphere> spheresOfOtherTargets(std::size_t index) const;
   /// Returns whether no earlier target in the list has the same color as this target.
   bool isFirstOfItsColor(std::size_t target) const;
   /// Returns whether other objects of a target's color may be searched for. This is the case if all
@@ -63,7 +63,7 @@ public:
   bool mayHaveDistractors(std::size_t target) const;
   /// Returns whether the position of every target is nearly certain and every target is mostly
   /// visible.
-  bool allTargetsVisible() const;
+  bool areAllTargetsVisible() const;
 
   /// Marks pixels of other objects as explained in the labels of an observation, so that they are
   /// not evidence for `own`. Only objects that are mostly visible and have the color of `own` are

@@ -39,8 +39,8 @@ Eigen::Vector2d MohedanoTracker::colorAt(const Eigen::Vector3d& position, double
     const auto pixel = cameras().projector(k).project(position);
     cv::Point at;
     if (pixel && cameras().isUsable(k) &&
-        findNearestPixel(pixel->x(), pixel->y(), cameras().mask(k), at) &&
-        cameras().mask(k).at<unsigned char>(at) != 0) {
+        findNearestPixel(pixel->x(), pixel->y(), cameras().foregroundMask(k), at) &&
+        cameras().foregroundMask(k).at<unsigned char>(at) != 0) {
       const Eigen::Vector2d color = hueAndSaturation(cameras().image(k).ptr(at.y, at.x));
       if (!std::isnan(color[0])) {
         seen.push_back(color);
@@ -94,7 +94,7 @@ std::unique_ptr<Tracker> MohedanoTracker::clone() const {
   return copy;
 }
 
-std::size_t MohedanoTracker::beliefBytes() const {
+std::size_t MohedanoTracker::beliefMemoryBytes() const {
   return sizeof(Belief) +
          std::size_t{3} * 8 * sizeof(double) * std::size_t(parameters_.at("particles"));
 }
@@ -112,13 +112,13 @@ PersonObservation MohedanoTracker::observation() const {
   return {std::move(views), parameters_.at("motion_floor"), cue};
 }
 
-void MohedanoTracker::update(ThreadTeam& team) {
+void MohedanoTracker::updateBeliefs(ThreadTeam& team) {
   likelihoods_.assign(cameras().cameraCount(), cv::Mat());
   team.forEachRange(static_cast<std::int64_t>(cameras().cameraCount()), [&](std::int64_t begin,
                                                                             std::int64_t end) {
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
       if (cameras().isUsable(k) && !people_.empty()) {
-        motionLikelihood(cameras().mask(k), parameters_.at("mask_sigma"),
+        computeMotionLikelihood(cameras().foregroundMask(k), parameters_.at("mask_sigma"),
                          parameters_.at("motion_floor"), likelihoods_[k]);
       }
     }
@@ -150,15 +150,15 @@ void MohedanoTracker::describe(const StateEstimate& estimate, const Belief& beli
   person.effectiveSampleSize = estimate.effectiveSampleSize;
   person.particleCount = static_cast<int>(belief.filter.states().rows());
   if (color_) {
-    person.color = Eigen::Vector2d(
-        meanHue(belief.filter.states().col(6), belief.filter.weights().all()), estimate.mean[7]);
+    person.hueAndSaturation = Eigen::Vector2d(
+        meanHue(belief.filter.states().col(6), belief.filter.weights().linearWeights()), estimate.mean[7]);
   }
 }
 
-BodyCloud MohedanoTracker::body(int identity) const {
+BodyCloud MohedanoTracker::bodyOf(int identity) const {
   for (const Belief& belief : beliefs_) {
     if (belief.identity == identity) {
-      return {belief.filter.states().leftCols<3>(), belief.filter.weights().all()};
+      return {belief.filter.states().leftCols<3>(), belief.filter.weights().linearWeights()};
     }
   }
   return {};

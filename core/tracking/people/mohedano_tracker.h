@@ -19,7 +19,7 @@ public:
   MohedanoTracker(const ParameterValues& parameters, const CameraRig& rig, bool color);
 
   void configure(const ParameterValues& parameters) override;
-  BodyCloud body(int identity) const override;
+  BodyCloud bodyOf(int identity) const override;
   std::unique_ptr<Tracker> clone() const override;
 
 private:
@@ -31,8 +31,8 @@ private:
   void createBelief(const PersonEstimate& person, const RandomKey& key) override;
   void removeBelief(std::size_t index) override;
   void removeAllBeliefs() override { beliefs_.clear(); }
-  std::size_t beliefBytes() const override;
-  void update(ThreadTeam& team) override;
+  std::size_t beliefMemoryBytes() const override;
+  void updateBeliefs(ThreadTeam& team) override;
   bool ignoresForegroundOfKnownPeople() const override { return false; }
   MotionSmoothing motionSmoothing() const override {
     return {parameters_.at("mask_sigma"), parameters_.at("motion_floor")};

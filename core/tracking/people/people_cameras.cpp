@@ -90,13 +90,13 @@ std::size_t PeopleCameras::memoryBytes() const {
 ForegroundSettings PeopleCameras::foregroundSettings() const {
   ForegroundSettings settings = settings_.foreground;
   const double rate = 1.0 / std::max(1e-3, interval_);
-  settings.learningFrames = static_cast<int>(std::ceil(settings_.learningTime * rate));
-  settings.memoryFrames = settings_.backgroundMemory * rate;
+  settings.learningFrameCount = static_cast<int>(std::ceil(settings_.learningSeconds * rate));
+  settings.memoryFrameCount = settings_.backgroundMemorySeconds * rate;
   return settings;
 }
 
-void PeopleCameras::computeMasks(const FrameSet& frames, const std::vector<cv::Mat>& keep,
-                                 ThreadTeam& team) {
+void PeopleCameras::computeForegroundMasks(const FrameSet& frames, const std::vector<cv::Mat>& keep,
+                                           ThreadTeam& team) {
   const double gap = seconds(frames.time - time_);
   interval_ = frame_ < 0 || gap <= 0.0 ? kDefaultGap : std::min(gap, kLongestGap);
   sinceStart_ += frame_ < 0 ? 0.0 : interval_;
@@ -131,15 +131,15 @@ void PeopleCameras::updateMask(const FrameSet& frames, std::size_t camera, const
   }
   reduceImage(frames.frames[camera]->image, view.camera.intrinsics, view.image);
   const bool knowsRoom = camera < backgroundImages_.size() && !backgroundImages_[camera].empty();
-  if (!view.model && (knowsRoom || frame_ > 0 || settings_.learningTime <= 0.0)) {
+  if (!view.model && (knowsRoom || frame_ > 0 || settings_.learningSeconds <= 0.0)) {
     // From the second frame on, when the rate is known, unless there is nothing to wait for.
     view.model = makeForegroundModel(foregroundSettings());
     if (knowsRoom) {
       learnBackgroundImage(camera);
     }
   }
-  const bool learning = !knowsRoom && sinceStart_ < settings_.learningTime;
-  state.learningProgress = learning ? sinceStart_ / settings_.learningTime : 1.0;
+  const bool learning = !knowsRoom && sinceStart_ < settings_.learningSeconds;
+  state.learningProgress = learning ? sinceStart_ / settings_.learningSeconds : 1.0;
   if (learning || !view.model) {
     if (view.model) {
       view.model->learn(view.image);

@@ -36,7 +36,8 @@ public:
   void restart();
   /// Computes the motion masks of a frame. `keep` has one image per camera, of the mask's size or
   /// empty. Pixels that are nonzero in `keep` are not learned as background.
-  void computeMasks(const FrameSet& frames, const std::vector<cv::Mat>& keep, ThreadTeam& team);
+  void computeForegroundMasks(const FrameSet& frames, const std::vector<cv::Mat>& keep,
+                              ThreadTeam& team);
 
   std::size_t cameraCount() const { return views_.size(); }
   const Projector& projector(std::size_t camera) const { return views_[camera].projector; }
@@ -44,11 +45,11 @@ public:
   const Camera& camera(std::size_t camera) const { return views_[camera].camera; }
   bool isUsable(std::size_t camera) const { return states_[camera].isUsable; }
   const cv::Mat& image(std::size_t camera) const { return views_[camera].image; }
-  const cv::Mat& mask(std::size_t camera) const { return views_[camera].mask; }
-  const std::vector<PeopleCameraState>& states() const { return states_; }
+  const cv::Mat& foregroundMask(std::size_t camera) const { return views_[camera].mask; }
+  const std::vector<PeopleCameraState>& cameraStates() const { return states_; }
   /// Returns the seconds between the last two frames.
   double secondsBetweenFrames() const { return interval_; }
-  std::int64_t frame() const { return frame_; }
+  std::int64_t frameNumber() const { return frame_; }
 
 private:
   /// Background model that is copied together with its owner.

@@ -159,11 +159,11 @@ PeopleSettings peopleSettings(const ParameterValues& parameters) {
   result.foreground.method =
       static_cast<BackgroundMethod>(static_cast<int>(parameters.at("background")));
   result.foreground.darkestShadow = parameters.at("darkest_shadow");
-  result.learningTime = parameters.at("learning_time");
-  result.backgroundMemory = parameters.at("background_memory");
+  result.learningSeconds = parameters.at("learning_time");
+  result.backgroundMemorySeconds = parameters.at("background_memory");
   result.maxImageWidth = static_cast<int>(parameters.at("image_width"));
-  result.confirmationTime = parameters.at("birth_time");
-  result.survivalTime = parameters.at("survival_time");
+  result.confirmationSeconds = parameters.at("birth_time");
+  result.survivalSeconds = parameters.at("survival_time");
   result.createsTracks = parameters.at("births") != 0.0;
   return result;
 }

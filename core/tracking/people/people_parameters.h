@@ -33,15 +33,16 @@ struct PeopleSettings {
   /// known.
   ForegroundSettings foreground;
   /// Time at the start during which only the background is learned, seconds.
-  double learningTime = 1.0;
-  double backgroundMemory = 40.0; ///< time after which a new object counts as background, seconds
+  double learningSeconds = 1.0;
+  /// Time after which a new object counts as background, seconds.
+  double backgroundMemorySeconds = 40.0;
   /// Maximum image width in pixels. Wider images are reduced to this width. 0: images keep their
   /// size.
   int maxImageWidth = 0;
   /// Time for which a new person must be visible before a track begins, seconds.
-  double confirmationTime = 0.2;
+  double confirmationSeconds = 0.2;
   /// Time for which a track is kept while fewer than two cameras see the person, seconds.
-  double survivalTime = 0.6;
+  double survivalSeconds = 0.6;
   bool createsTracks = true; ///< false: only the user adds people
 };
 

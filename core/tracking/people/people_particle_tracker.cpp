@@ -74,8 +74,8 @@ private:
 };
 
 cv::Rect boundsOf(const BodySilhouette& silhouette) {
-  cv::Rect all = silhouette.pieces.front();
-  for (const cv::Rect& piece : silhouette.pieces) {
+  cv::Rect all = silhouette.partRects.front();
+  for (const cv::Rect& piece : silhouette.partRects) {
     all |= piece;
   }
   const int more = all.height / 4 + 2;
@@ -128,7 +128,7 @@ std::unique_ptr<Tracker> PeopleParticleTracker::clone() const {
   return cameras().canBeCopied() ? std::make_unique<PeopleParticleTracker>(*this) : nullptr;
 }
 
-std::size_t PeopleParticleTracker::beliefBytes() const {
+std::size_t PeopleParticleTracker::beliefMemoryBytes() const {
   return sizeof(Belief) +
          std::size_t{3} * 5 * sizeof(double) * std::size_t(parameters_.at("particles"));
 }
@@ -142,9 +142,9 @@ cv::Mat PeopleParticleTracker::coveredByOthers(std::size_t person, std::size_t c
   for (std::size_t k = 0; k < people_.size(); ++k) {
     if (k != person) {
       if (covered.empty()) {
-        covered = cv::Mat::zeros(cameras().mask(camera).size(), CV_8UC1);
+        covered = cv::Mat::zeros(cameras().foregroundMask(camera).size(), CV_8UC1);
       }
-      drawSilhouette(silhouette(people_[k], camera), 255, covered);
+      drawSilhouette(silhouetteOf(people_[k], camera), 255, covered);
     }
   }
   return covered;
@@ -156,12 +156,12 @@ std::vector<ScoreSums> PeopleParticleTracker::scoresFor(std::size_t person) cons
     if (!cameras().isUsable(k)) {
       continue;
     }
-    cv::Mat scores = maskScores(cameras().mask(k), coveredByOthers(person, k));
-    const BodySilhouette own = silhouette(people_[person], k);
-    for (std::size_t other = 0; other < people_.size() && own.visible; ++other) {
+    cv::Mat scores = maskScores(cameras().foregroundMask(k), coveredByOthers(person, k));
+    const BodySilhouette own = silhouetteOf(people_[person], k);
+    for (std::size_t other = 0; other < people_.size() && own.isVisible; ++other) {
       if (other != person && areNear(person, other)) {
-        addColorScores(cameras().image(k), cameras().mask(k), boundsOf(own),
-                       own.pieces[kBodyPartCount / 2].br().y,
+        addColorScores(cameras().image(k), cameras().foregroundMask(k), boundsOf(own),
+                       own.partRects[kBodyPartCount / 2].br().y,
                        beliefs_[person].clothes.logRatioAgainst(beliefs_[other].clothes),
                        parameters_.at("color_weight"), scores);
       }
@@ -205,7 +205,7 @@ void PeopleParticleTracker::weigh(std::size_t person, ThreadTeam& team) {
   result.particleCount = static_cast<int>(belief.filter.states().rows());
 }
 
-void PeopleParticleTracker::update(ThreadTeam& team) {
+void PeopleParticleTracker::updateBeliefs(ThreadTeam& team) {
   // Where everybody is expected, so that those who come later explain what is theirs.
   for (PersonEstimate& person : people_) {
     person.position += cameras().secondsBetweenFrames() * person.velocity;
@@ -228,8 +228,9 @@ void PeopleParticleTracker::learnClothes() {
     }
     for (std::size_t k = 0; k < cameras().cameraCount(); ++k) {
       if (cameras().isUsable(k)) {
-        beliefs_[person].clothes.learn(cameras().image(k), cameras().mask(k),
-                                       silhouette(people_[person], k), coveredByOthers(person, k));
+        beliefs_[person].clothes.learn(cameras().image(k), cameras().foregroundMask(k),
+                                       silhouetteOf(people_[person], k),
+                                       coveredByOthers(person, k));
       }
     }
     beliefs_[person].clothes.finishFrame();
@@ -242,9 +243,9 @@ double PeopleParticleTracker::clothesEvidence(std::size_t one, std::size_t other
     const ClothesRatio ratio = beliefs_[own].clothes.logRatioAgainst(beliefs_[foreign].clothes);
     for (std::size_t k = 0; k < cameras().cameraCount(); ++k) {
       if (cameras().isUsable(k)) {
-        sum += ClothesModel::meanLogRatioInSilhouette(ratio, cameras().image(k), cameras().mask(k),
-                                                      silhouette(people_[own], k),
-                                                      coveredByOthers(own, k));
+        sum += ClothesModel::meanLogRatioInSilhouette(
+            ratio, cameras().image(k), cameras().foregroundMask(k), silhouetteOf(people_[own], k),
+            coveredByOthers(own, k));
       }
     }
   }
@@ -256,7 +257,7 @@ void PeopleParticleTracker::swapIdentities(std::size_t one, std::size_t other) {
   std::swap(beliefs_[one].filter, beliefs_[other].filter);
   std::swap(people_[one], people_[other]);
   std::swap(people_[one].identity, people_[other].identity);
-  std::swap(people_[one].age, people_[other].age);
+  std::swap(people_[one].ageSeconds, people_[other].ageSeconds);
 }
 
 /// That of the 95 % volumes: the filter itself weighs with whole bodies.
@@ -277,10 +278,11 @@ void PeopleParticleTracker::updateMeetings() {
       }
       Meeting& meeting = found->second;
       meeting.secondsSinceNear += cameras().secondsBetweenFrames();
-      meeting.evidence = kEvidenceLoss * meeting.evidence + clothesEvidence(one, other);
-      if (meeting.evidence < kMistaken) {
+      meeting.identityEvidence =
+          kEvidenceLoss * meeting.identityEvidence + clothesEvidence(one, other);
+      if (meeting.identityEvidence < kMistaken) {
         swapIdentities(one, other);
-        meeting.evidence = 0.0;
+        meeting.identityEvidence = 0.0;
       }
       if (meeting.secondsSinceNear > kMeetingMemory) {
         meetings_.erase(found);
@@ -289,7 +291,7 @@ void PeopleParticleTracker::updateMeetings() {
   }
 }
 
-BodyCloud PeopleParticleTracker::body(int identity) const {
+BodyCloud PeopleParticleTracker::bodyOf(int identity) const {
   const auto found = std::ranges::find(beliefs_, identity, &Belief::identity);
   if (found == beliefs_.end()) {
     return {};
@@ -298,14 +300,15 @@ BodyCloud PeopleParticleTracker::body(int identity) const {
   std::vector<cv::Mat> likelihoods(cameras().cameraCount());
   for (std::size_t k = 0; k < cameras().cameraCount(); ++k) {
     if (cameras().isUsable(k)) {
-      motionLikelihood(cameras().mask(k), kBodyMaskSigma, kBodyMaskFloor, likelihoods[k]);
+      computeMotionLikelihood(cameras().foregroundMask(k), kBodyMaskSigma, kBodyMaskFloor, likelihoods[k]);
     }
     views.push_back({&cameras().projector(k), likelihoods[k], cv::Mat()});
   }
   const RandomStream stream = randomKeyOf(identity).stream(RandomPurpose::Search);
   const auto count = static_cast<Eigen::Index>(parameters_.at("body_points"));
   Ancestors ancestors;
-  SystematicResampling{}.ancestors(found->filter.weights().all(), count, stream, ancestors);
+  SystematicResampling{}.drawAncestors(found->filter.weights().linearWeights(), count, stream,
+                                       ancestors);
   BodyCloud cloud;
   cloud.points.resize(count, 3);
   for (Eigen::Index i = 0; i < count; ++i) {

@@ -21,7 +21,7 @@ public:
   PeopleParticleTracker(const ParameterValues& parameters, const CameraRig& rig);
 
   void configure(const ParameterValues& parameters) override;
-  BodyCloud body(int identity) const override;
+  BodyCloud bodyOf(int identity) const override;
   std::unique_ptr<Tracker> clone() const override;
 
 private:
@@ -30,19 +30,19 @@ private:
     ParticleFilter filter;
     ClothesModel clothes;
   };
-  /// Data about two people who are or were near each other. `evidence` comes from their clothes,
-  /// and is negative if their identities seem to be exchanged. `secondsSinceNear` is the time in
-  /// seconds since the two were near each other.
+  /// Data about two people who are or were near each other. `identityEvidence` comes from their
+  /// clothes, and is negative if their identities seem to be exchanged. `secondsSinceNear` is the
+  /// time in seconds since the two were near each other.
   struct Meeting {
-    double evidence = 0.0;
+    double identityEvidence = 0.0;
     double secondsSinceNear = 0.0;
   };
 
   void createBelief(const PersonEstimate& person, const RandomKey& key) override;
   void removeBelief(std::size_t index) override;
   void removeAllBeliefs() override;
-  std::size_t beliefBytes() const override;
-  void update(ThreadTeam& team) override;
+  std::size_t beliefMemoryBytes() const override;
+  void updateBeliefs(ThreadTeam& team) override;
   bool ignoresForegroundOfKnownPeople() const override { return true; }
   MotionSmoothing motionSmoothing() const override;
 

@@ -22,13 +22,13 @@ constexpr double kInImage = 0.6; ///< share of a body in the image from which it
 
 /// Share of a silhouette that lies in the image.
 double shareInImage(const BodySilhouette& silhouette, const Intrinsics& size) {
-  if (!silhouette.visible) {
+  if (!silhouette.isVisible) {
     return 0.0;
   }
   const cv::Rect image(0, 0, size.width, size.height);
   double inside = 0.0;
   double all = 0.0;
-  for (const cv::Rect& piece : silhouette.pieces) {
+  for (const cv::Rect& piece : silhouette.partRects) {
     inside += (piece & image).area();
     all += piece.area();
   }
@@ -38,9 +38,9 @@ double shareInImage(const BodySilhouette& silhouette, const Intrinsics& size) {
 } // namespace
 
 void drawSilhouette(const BodySilhouette& silhouette, unsigned char value, cv::Mat& mask) {
-  if (silhouette.visible) {
+  if (silhouette.isVisible) {
     const cv::Rect image(0, 0, mask.cols, mask.rows);
-    for (const cv::Rect& piece : silhouette.pieces) {
+    for (const cv::Rect& piece : silhouette.partRects) {
       mask(piece & image).setTo(value);
     }
   }
@@ -63,8 +63,8 @@ void PeopleTrackInitiation::setCameras(const PeopleCameras& cameras, const Peopl
       int useful = 0;
       for (std::size_t k = 0; k < cameras.cameraCount(); ++k) {
         auto silhouette = makers[k].project(cell.position, area.floorHeight, height);
-        silhouette.visible = shareInImage(silhouette, cameras.camera(k).intrinsics) >= kInImage;
-        useful += silhouette.visible ? 1 : 0;
+        silhouette.isVisible = shareInImage(silhouette, cameras.camera(k).intrinsics) >= kInImage;
+        useful += silhouette.isVisible ? 1 : 0;
         cell.silhouettes.push_back(silhouette);
       }
       if (useful >= 2) {
@@ -81,11 +81,11 @@ double PeopleTrackInitiation::scoreOf(const Cell& cell, const PeopleCameras& cam
   double sum = 0.0;
   for (std::size_t k = 0; k < scores.size(); ++k) {
     const BodySilhouette& silhouette = cell.silhouettes[k];
-    if (!silhouette.visible || !cameras.isUsable(k)) {
+    if (!silhouette.isVisible || !cameras.isUsable(k)) {
       continue;
     }
     // The chest first: where that is not seen, nothing more is scored.
-    const double chest = scores[k].mean(silhouette.pieces[3]);
+    const double chest = scores[k].mean(silhouette.partRects[3]);
     // Every piece counts as it is, and not kPieceFloor at least.
     const double score =
         chest < kNotSeen
@@ -111,9 +111,10 @@ void PeopleTrackInitiation::updateCandidates(const std::vector<Candidate>& peaks
       return !one.isVisible && (one.position - peak.position).norm() < kSame;
     });
     if (same == candidates_.end()) {
-      candidates_.push_back({peak.position, peak.score, 0.0, true});
+      candidates_.push_back({peak.position, peak.silhouetteScore, 0.0, true});
     } else {
-      *same = {peak.position, peak.score, std::max(0.0, same->visibleSeconds) + interval, true};
+      *same = {peak.position, peak.silhouetteScore, std::max(0.0, same->visibleSeconds) + interval,
+               true};
     }
   }
   std::erase_if(candidates_, [&](Candidate& one) {
@@ -126,13 +127,15 @@ void PeopleTrackInitiation::updateCandidates(const std::vector<Candidate>& peaks
 
 std::vector<Eigen::Vector2d>
 PeopleTrackInitiation::update(const PeopleCameras& cameras, const std::vector<cv::Mat>& explained,
-                              const std::vector<Eigen::Vector2d>& taken, double confirmationTime) {
+                              const std::vector<Eigen::Vector2d>& taken,
+                              double confirmationSeconds) {
   std::vector<ScoreSums> scores(cameras.cameraCount());
   int usable = 0;
   for (std::size_t k = 0; k < cameras.cameraCount(); ++k) {
     if (cameras.isUsable(k)) {
       ++usable;
-      scores[k].build(maskScores(cameras.mask(k), k < explained.size() ? explained[k] : cv::Mat()));
+      scores[k].build(
+          maskScores(cameras.foregroundMask(k), k < explained.size() ? explained[k] : cv::Mat()));
     }
   }
   std::vector<Candidate> found;
@@ -148,7 +151,7 @@ PeopleTrackInitiation::update(const PeopleCameras& cameras, const std::vector<cv
     }
   }
   // The best of each neighborhood.
-  std::ranges::stable_sort(found, std::greater<>{}, &Candidate::score);
+  std::ranges::stable_sort(found, std::greater<>{}, &Candidate::silhouetteScore);
   std::vector<Candidate> peaks;
   for (const Candidate& one : found) {
     if (std::ranges::none_of(peaks, [&](const Candidate& peak) {
@@ -159,7 +162,7 @@ PeopleTrackInitiation::update(const PeopleCameras& cameras, const std::vector<cv
   }
   updateCandidates(peaks, cameras.secondsBetweenFrames());
   const auto ready = std::ranges::find_if(candidates_, [&](const Candidate& one) {
-    return one.isVisible && one.visibleSeconds >= confirmationTime - 1e-9;
+    return one.isVisible && one.visibleSeconds >= confirmationSeconds - 1e-9;
   });
   if (ready == candidates_.end()) {
     return {};

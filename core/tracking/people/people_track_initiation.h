@@ -34,11 +34,11 @@ public:
   /// Processes the masks of a frame. Returns at most one position (world x, y, meters) at which to
   /// create a track. `explained` has one mask per camera (CV_8UC1) that is nonzero at pixels of
   /// people who are already tracked, or is empty. `taken` has the positions of the tracked people.
-  /// A new person must be visible for `confirmationTime` seconds.
+  /// A new person must be visible for `confirmationSeconds` seconds.
   std::vector<Eigen::Vector2d> update(const PeopleCameras& cameras,
                                       const std::vector<cv::Mat>& explained,
                                       const std::vector<Eigen::Vector2d>& taken,
-                                      double confirmationTime);
+                                      double confirmationSeconds);
 
 private:
   struct Cell {
@@ -47,7 +47,7 @@ private:
   };
   struct Candidate {
     Eigen::Vector2d position;
-    double score = 0.0;
+    double silhouetteScore = 0.0;
     /// Seconds for which the person was visible; decreases while not visible.
     double visibleSeconds = 0.0;
     bool isVisible = true; ///< true if the person is visible in this frame

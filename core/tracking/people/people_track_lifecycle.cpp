@@ -72,7 +72,7 @@ void PeopleTrackLifecycle::restart(std::uint64_t seed) {
   unseen_.clear();
   cameras_.restart();
   initiation_.restart();
-  allPeople_.clear();
+  peopleAsTargets_.clear();
   bodies_.clear();
   frames_ = nullptr;
   stepped_ = false;
@@ -94,9 +94,9 @@ void PeopleTrackLifecycle::iterate(ThreadTeam& team) {
 void PeopleTrackLifecycle::assignTracks() {
   bodies_.clear();
   for (const PersonEstimate& person : people_) {
-    while (static_cast<int>(allPeople_.size()) < person.identity) {
-      Target& target = allPeople_.emplace_back();
-      target.name = personName(static_cast<int>(allPeople_.size()));
+    while (static_cast<int>(peopleAsTargets_.size()) < person.identity) {
+      Target& target = peopleAsTargets_.emplace_back();
+      target.name = personName(static_cast<int>(peopleAsTargets_.size()));
     }
   }
 }
@@ -116,19 +116,19 @@ void PeopleTrackLifecycle::copyParticles(std::size_t track, int limit, Eigen::Ar
   }
   auto known = bodies_.find(identity);
   if (known == bodies_.end()) {
-    known = bodies_.emplace(identity, body(identity)).first;
+    known = bodies_.emplace(identity, bodyOf(identity)).first;
   }
   pickEvenly(known->second.points, known->second.weights, limit, 3, positions, weights);
 }
 
 std::size_t PeopleTrackLifecycle::memoryBytes() const {
-  return cameras_.memoryBytes() + initiation_.memoryBytes() + people_.size() * beliefBytes() +
-         allPeople_.capacity() * (sizeof(Target) + sizeof(TrackEstimate));
+  return cameras_.memoryBytes() + initiation_.memoryBytes() + people_.size() * beliefMemoryBytes() +
+         peopleAsTargets_.capacity() * (sizeof(Target) + sizeof(TrackEstimate));
 }
 
 RandomKey PeopleTrackLifecycle::randomKeyOf(int identity) const {
   return {derivedSeed(seed_, static_cast<std::uint32_t>(identity)),
-          static_cast<std::uint32_t>(std::max<std::int64_t>(0, cameras_.frame())), 0};
+          static_cast<std::uint32_t>(std::max<std::int64_t>(0, cameras_.frameNumber())), 0};
 }
 
 int PeopleTrackLifecycle::addPerson(const Eigen::Vector3d& center) {
@@ -166,8 +166,8 @@ void PeopleTrackLifecycle::removeTrack(int identity) {
   }
 }
 
-BodySilhouette PeopleTrackLifecycle::silhouette(const PersonEstimate& person,
-                                                std::size_t camera) const {
+BodySilhouette PeopleTrackLifecycle::silhouetteOf(const PersonEstimate& person,
+                                                  std::size_t camera) const {
   return makers_[camera].project(floorPosition(person), settings_.area.floorHeight,
                                  heightOf(person));
 }
@@ -178,16 +178,16 @@ std::vector<cv::Mat> PeopleTrackLifecycle::silhouettesOfAll(double wider) const 
     if (people_.empty() || !cameras_.isUsable(k)) {
       continue;
     }
-    masks[k] = cv::Mat::zeros(cameras_.mask(k).size(), CV_8UC1);
+    masks[k] = cv::Mat::zeros(cameras_.foregroundMask(k).size(), CV_8UC1);
     for (const PersonEstimate& person : people_) {
-      BodySilhouette body = silhouette(person, k);
-      for (cv::Rect& piece : body.pieces) {
+      BodySilhouette body = silhouetteOf(person, k);
+      for (cv::Rect& piece : body.partRects) {
         const int more = static_cast<int>(std::lround(0.5 * (wider - 1.0) * piece.width)) + 1;
         piece.x -= more;
         piece.width += 2 * more;
       }
-      body.pieces.back().y -= body.pieces.back().height / 2; // above the head
-      body.pieces.back().height += body.pieces.back().height / 2;
+      body.partRects.back().y -= body.partRects.back().height / 2; // above the head
+      body.partRects.back().height += body.partRects.back().height / 2;
       drawSilhouette(body, 255, masks[k]);
     }
   }
@@ -200,24 +200,24 @@ PeopleTrackLifecycle::Visibility PeopleTrackLifecycle::visibilityOf(std::size_t 
   if (!cameras_.isUsable(camera)) {
     return sight;
   }
-  const cv::Mat& mask = cameras_.mask(camera);
-  const BodySilhouette body = silhouette(people_[person], camera);
+  const cv::Mat& mask = cameras_.foregroundMask(camera);
+  const BodySilhouette body = silhouetteOf(people_[person], camera);
   double all = 0.0;
   double free = 0.0;
   double moving = 0.0;
   std::vector<cv::Rect> others;
   for (std::size_t k = 0; k < people_.size() && ignoresForegroundOfKnownPeople(); ++k) {
     if (k != person) {
-      const BodySilhouette other = silhouette(people_[k], camera);
-      if (other.visible) {
-        others.insert(others.end(), other.pieces.begin(), other.pieces.end());
+      const BodySilhouette other = silhouetteOf(people_[k], camera);
+      if (other.isVisible) {
+        others.insert(others.end(), other.partRects.begin(), other.partRects.end());
       }
     }
   }
   const cv::Rect image(0, 0, mask.cols, mask.rows);
-  for (std::size_t k = 0; body.visible && k < kBodyPartCount; ++k) {
-    all += body.pieces[k].area();
-    const cv::Rect inside = body.pieces[k] & image;
+  for (std::size_t k = 0; body.isVisible && k < kBodyPartCount; ++k) {
+    all += body.partRects[k].area();
+    const cv::Rect inside = body.partRects[k] & image;
     for (int row = inside.y; row < inside.y + inside.height; ++row) {
       for (int column = inside.x; column < inside.x + inside.width; ++column) {
         const auto covers = [&](const cv::Rect& other) {
@@ -229,10 +229,10 @@ PeopleTrackLifecycle::Visibility PeopleTrackLifecycle::visibilityOf(std::size_t 
         }
       }
     }
-    sight.isInView = sight.isInView || withinImage(body.pieces[k], mask) > 0.0;
+    sight.isInView = sight.isInView || withinImage(body.partRects[k], mask) > 0.0;
   }
   sight.uncoveredFraction = all > 0.0 ? free / all : 0.0;
-  sight.score = free > 0.0 ? moving / free : 0.0;
+  sight.foregroundFraction = free > 0.0 ? moving / free : 0.0;
   return sight;
 }
 
@@ -246,7 +246,7 @@ void PeopleTrackLifecycle::updateVisibility() {
       const Visibility sight = visibilityOf(person, k);
       if (sight.isInView && sight.uncoveredFraction < kFreeShare) {
         ++unable;
-      } else if (sight.isInView && sight.score >= kSeenScore) {
+      } else if (sight.isInView && sight.foregroundFraction >= kSeenScore) {
         ++seeing;
       }
     }
@@ -258,9 +258,9 @@ void PeopleTrackLifecycle::updateVisibility() {
       unseen += seeing > 0 && seeing + unable >= needed ? interval / kHiddenPatience : interval;
     }
     estimate.seeingCameraCount = seeing;
-    estimate.existenceProbability = std::clamp(1.0 - unseen / settings_.survivalTime, 0.0, 1.0);
-    estimate.age += interval;
-    estimate.interacting = std::ranges::any_of(people_, [&](const PersonEstimate& other) {
+    estimate.existenceProbability = std::clamp(1.0 - unseen / settings_.survivalSeconds, 0.0, 1.0);
+    estimate.ageSeconds += interval;
+    estimate.isInteracting = std::ranges::any_of(people_, [&](const PersonEstimate& other) {
       return other.identity != estimate.identity &&
              (floorPosition(other) - floorPosition(estimate)).norm() < kNear;
     });
@@ -271,12 +271,12 @@ std::vector<LikelihoodMap> PeopleTrackLifecycle::motionLikelihoodMaps() const {
   const MotionSmoothing smoothing = motionSmoothing();
   std::vector<LikelihoodMap> maps(cameras_.cameraCount());
   for (std::size_t k = 0; k < maps.size(); ++k) {
-    const cv::Mat& mask = cameras_.mask(k);
+    const cv::Mat& mask = cameras_.foregroundMask(k);
     if (mask.empty()) {
       continue;
     }
     cv::Mat likelihood;
-    motionLikelihood(mask, smoothing.sigma, smoothing.minLikelihood, likelihood);
+    computeMotionLikelihood(mask, smoothing.sigma, smoothing.minLikelihood, likelihood);
     cv::log(likelihood, maps[k].logLikelihood);
     maps[k].area = {{0, 0}, mask.size()};
     maps[k].minLogLikelihood = std::log(smoothing.minLikelihood);
@@ -303,7 +303,7 @@ void PeopleTrackLifecycle::initiateTracks() {
   PeopleArea inside = settings_.area;
   inside.halfSize.array() -= kBirthMargin;
   for (const auto& position :
-       initiation_.update(cameras_, explained, taken, settings_.confirmationTime)) {
+       initiation_.update(cameras_, explained, taken, settings_.confirmationSeconds)) {
     if (inside.contains(position)) {
       createTrack({position.x(), position.y(), settings_.area.floorHeight + 0.5 * usualHeight_});
     }
@@ -311,12 +311,12 @@ void PeopleTrackLifecycle::initiateTracks() {
 }
 
 void PeopleTrackLifecycle::step(const FrameSet& frames, ThreadTeam& team) {
-  cameras_.computeMasks(frames, silhouettesOfAll(kExplainedWider), team);
-  const bool anyUsable = std::ranges::any_of(cameras_.states(), &PeopleCameraState::isUsable);
+  cameras_.computeForegroundMasks(frames, silhouettesOfAll(kExplainedWider), team);
+  const bool anyUsable = std::ranges::any_of(cameras_.cameraStates(), &PeopleCameraState::isUsable);
   if (!anyUsable) {
     return; // learning, or no images: what is believed stays as it is
   }
-  update(team);
+  updateBeliefs(team);
   updateVisibility();
   terminateTracks();
   if (settings_.createsTracks) {

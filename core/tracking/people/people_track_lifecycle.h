@@ -18,12 +18,12 @@ namespace dewpoint::tracking {
 /// effect. A change of the background model takes effect at the next restart.
 class PeopleTrackLifecycle : public Tracker,
                              public Configurable,
-                             public CameraCalibrated,
-                             public BackgroundImageUsing,
+                             public RigConfigurable,
+                             public BackgroundImageConfigurable,
                              public ParticleCloud,
                              public PeopleFinding,
                              public MotionMapping,
-                             public PersonPlacing,
+                             public PersonEditing,
                              public Copyable {
 public:
   PeopleTrackLifecycle(const ParameterValues& parameters, const CameraRig& rig);
@@ -35,14 +35,18 @@ public:
   int iterationsPerFrame() const override { return 1; }
   void beginFrame(FrameSetPtr frames) override;
   void iterate(ThreadTeam& team) final;
-  std::size_t trackCount() const override { return allPeople_.size(); }
+  std::size_t trackCount() const override { return peopleAsTargets_.size(); }
   TrackEstimate estimate(std::size_t track) const override;
   void copyParticles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
                      Eigen::ArrayXd& weights) const override;
-  const std::vector<Target>& allPeople() const override { return allPeople_; }
+  const std::vector<Target>& peopleAsTargets() const override { return peopleAsTargets_; }
   const std::vector<PersonEstimate>& people() const override { return people_; }
-  const std::vector<PeopleCameraState>& cameraStates() const override { return cameras_.states(); }
-  cv::Mat foreground(std::size_t camera) const override { return cameras_.mask(camera); }
+  const std::vector<PeopleCameraState>& cameraStates() const override {
+    return cameras_.cameraStates();
+  }
+  cv::Mat foregroundMask(std::size_t camera) const override {
+    return cameras_.foregroundMask(camera);
+  }
   std::vector<LikelihoodMap> motionLikelihoodMaps() const override;
   int addPerson(const Eigen::Vector3d& center) override;
   void removePerson(int identity) override;
@@ -62,8 +66,8 @@ protected:
   /// Visibility of a person in a camera.
   struct Visibility {
     bool isInView = false;
-    double score = 0.0;             ///< 1 if all of the person's visible part is foreground
-    double uncoveredFraction = 0.0; ///< fraction of the silhouette that no other person covers
+    double foregroundFraction = 0.0; ///< fraction of the visible part that is foreground, 0 to 1
+    double uncoveredFraction = 0.0;  ///< fraction of the silhouette that no other person covers
   };
 
   /// Creates the method's belief (such as a particle filter) about a new person, who is the last of
@@ -74,9 +78,9 @@ protected:
   virtual void removeBelief(std::size_t index) = 0;
   virtual void removeAllBeliefs() = 0;
   /// Returns the approximate size of a copy of a belief in bytes.
-  virtual std::size_t beliefBytes() const = 0;
+  virtual std::size_t beliefMemoryBytes() const = 0;
   /// Processes new images: moves and weights all particles, and fills in `people_`.
-  virtual void update(ThreadTeam& team) = 0;
+  virtual void updateBeliefs(ThreadTeam& team) = 0;
   virtual MotionSmoothing motionSmoothing() const { return {}; }
   /// Returns whether foreground pixels that other people cover are ignored when deciding whether a
   /// person is visible.
@@ -89,7 +93,7 @@ protected:
   double heightOf(const PersonEstimate& person) const {
     return person.height > 0.0 ? person.height : usualHeight_;
   }
-  BodySilhouette silhouette(const PersonEstimate& person, std::size_t camera) const;
+  BodySilhouette silhouetteOf(const PersonEstimate& person, std::size_t camera) const;
   const PeopleSettings& settings() const { return settings_; }
   const PeopleCameras& cameras() const { return cameras_; }
   const SilhouetteProjector& silhouetteProjector(std::size_t camera) const {
@@ -124,7 +128,7 @@ private:
   int nextIdentity_ = 1;
   FrameSetPtr frames_;
   bool stepped_ = false; ///< the frame was processed
-  std::vector<Target> allPeople_;
+  std::vector<Target> peopleAsTargets_;
   mutable std::map<int, BodyCloud> bodies_; ///< bodies in this frame; only those requested
 };
 

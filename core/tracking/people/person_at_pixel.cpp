@@ -36,7 +36,7 @@ struct View {
 
 View viewOf(const PeopleFinding& people, const Camera& camera, std::size_t index) {
   View view{SilhouetteProjector(camera), 1.0, {}};
-  const cv::Mat mask = people.foreground(index);
+  const cv::Mat mask = people.foregroundMask(index);
   if (!mask.empty()) {
     view.scale = static_cast<double>(camera.intrinsics.width) / mask.cols;
     view.scores.build(maskScores(mask, cv::Mat()));
@@ -45,7 +45,7 @@ View viewOf(const PeopleFinding& people, const Camera& camera, std::size_t index
 }
 
 BodySilhouette shrunk(BodySilhouette silhouette, double scale) {
-  for (cv::Rect& piece : silhouette.pieces) {
+  for (cv::Rect& piece : silhouette.partRects) {
     const auto at = [scale](int pixel) { return static_cast<int>(std::lround(pixel / scale)); };
     const cv::Point corner(at(piece.x), at(piece.y));
     piece = cv::Rect(corner, cv::Point(std::max(corner.x + 1, at(piece.br().x)),
@@ -56,14 +56,14 @@ BodySilhouette shrunk(BodySilhouette silhouette, double scale) {
 
 /// How far a pixel is from the middle of a silhouette: 0 there, 1 at its border; nothing outside.
 std::optional<double> besideMiddle(const BodySilhouette& silhouette, const Eigen::Vector2d& pixel) {
-  cv::Rect all = silhouette.pieces.front();
-  for (const cv::Rect& piece : silhouette.pieces) {
+  cv::Rect all = silhouette.partRects.front();
+  for (const cv::Rect& piece : silhouette.partRects) {
     all |= piece;
   }
   const double across = std::abs(pixel.x() - (all.x + 0.5 * all.width)) / (0.5 * all.width);
   const double along = std::abs(pixel.y() - (all.y + 0.5 * all.height)) / (0.5 * all.height);
   const double beside = std::max(across, along);
-  return silhouette.visible && beside <= 1.0 ? std::optional(beside) : std::nullopt;
+  return silhouette.isVisible && beside <= 1.0 ? std::optional(beside) : std::nullopt;
 }
 
 double scoreOf(const std::vector<View>& views, const Eigen::Vector2d& position, double floor,
@@ -84,9 +84,10 @@ Eigen::Vector3d bodyCenter(const Eigen::Vector2d& position, const ParameterValue
   return {position.x(), position.y(), parameters.at("floor_z") + 0.5 * heightIn(parameters)};
 }
 
-std::optional<Eigen::Vector3d> personAtPixel(const PeopleFinding& people, const CameraRig& rig,
-                                             const ParameterValues& parameters, int camera,
-                                             const Eigen::Vector2d& pixel) {
+std::optional<Eigen::Vector3d> personCenterAtPixel(const PeopleFinding& people,
+                                                   const CameraRig& rig,
+                                                   const ParameterValues& parameters, int camera,
+                                                   const Eigen::Vector2d& pixel) {
   const auto clicked = static_cast<std::size_t>(camera);
   if (camera < 0 || clicked >= rig.size()) {
     return std::nullopt;

@@ -16,9 +16,10 @@ namespace dewpoint::tracking {
 /// pixel. The result is the candidate that best fits the motion masks of all cameras. Without
 /// masks, it is the candidate whose body center appears closest to the pixel. Returns nothing if
 /// there is no candidate. `parameters` must belong to a method for people.
-std::optional<Eigen::Vector3d> personAtPixel(const PeopleFinding& people, const CameraRig& rig,
-                                             const ParameterValues& parameters, int camera,
-                                             const Eigen::Vector2d& pixel);
+std::optional<Eigen::Vector3d> personCenterAtPixel(const PeopleFinding& people,
+                                                   const CameraRig& rig,
+                                                   const ParameterValues& parameters, int camera,
+                                                   const Eigen::Vector2d& pixel);
 
 /// Returns the center of the body (world frame, meters) of a person of usual height who stands at
 /// `position` (world x and y, meters). `parameters` must belong to a method for people.

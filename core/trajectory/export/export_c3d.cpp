@@ -174,7 +174,7 @@ float fourthWord(const ExportCell& cell, double scale) {
   if (!cell.hasPosition) {
     return -1.0F;
   }
-  if (cell.filled) {
+  if (cell.isFilled) {
     return 0.0F;
   }
   const double sigma =

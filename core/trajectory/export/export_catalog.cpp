@@ -52,7 +52,7 @@ std::span<const ExportFormat> exportFormats() {
   return kFormats;
 }
 
-Result<const ExportFormat*> exportFormat(std::string_view id) {
+Result<const ExportFormat*> findExportFormat(std::string_view id) {
   std::string known;
   for (const ExportFormat& format : kFormats) {
     if (format.id == id) {

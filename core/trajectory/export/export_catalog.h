@@ -13,6 +13,6 @@ namespace dewpoint::trajectory {
 std::span<const ExportFormat> exportFormats();
 
 /// Returns the format with this id. If there is none, returns NotFound, which lists the known ids.
-Result<const ExportFormat*> exportFormat(std::string_view id);
+Result<const ExportFormat*> findExportFormat(std::string_view id);
 
 } // namespace dewpoint::trajectory

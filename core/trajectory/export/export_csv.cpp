@@ -34,19 +34,19 @@ std::string positionCells(const Eigen::Vector3d& p) {
 }
 
 std::string tidyRow(const ExportCell& cell, const ExportTable& table) {
-  std::string text =
-      cell.hasPosition ? fmt::format("{}{},{},{},1,{}", positionCells(cell.position),
-                                     covarianceCells(cell), cell.cameraCount,
-                                     covarianceText(cell.effectiveSampleSize), cell.filled ? 1 : 0)
-                       : std::string(13, ',') + "0,,0,0";
-  if (table.hasBest) {
+  std::string text = cell.hasPosition ? fmt::format("{}{},{},{},1,{}", positionCells(cell.position),
+                                                    covarianceCells(cell), cell.cameraCount,
+                                                    covarianceText(cell.effectiveSampleSize),
+                                                    cell.isFilled ? 1 : 0)
+                                      : std::string(13, ',') + "0,,0,0";
+  if (table.hasBestParticles) {
     text += cell.bestParticle ? positionCells(*cell.bestParticle) : std::string(3, ',');
   }
-  if (table.hasCorrected) {
-    text += cell.corrected ? ",1" : ",0";
+  if (table.hasCorrectedCells) {
+    text += cell.isCorrected ? ",1" : ",0";
   }
-  if (table.hasAmbiguous) {
-    text += cell.ambiguous ? ",1" : ",0";
+  if (table.hasAmbiguousCells) {
+    text += cell.isAmbiguous ? ",1" : ",0";
   }
   if (table.hasExtent) {
     text += cell.extent ? symmetricCells(*cell.extent) : std::string(6, ',');
@@ -62,9 +62,11 @@ EncodedFiles encodeTidyCsv(const ExportTable& table, const std::string& /*name*/
                       "cov_xy_{0}2,cov_xz_{0}2,cov_yy_{0}2,cov_yz_{0}2,cov_zz_{0}2,cameras,ess,"
                       "valid,filled",
                       table.unitName());
-  text += table.hasBest ? fmt::format(",best_x_{0},best_y_{0},best_z_{0}", table.unitName()) : "";
-  text += table.hasCorrected ? ",corrected" : "";
-  text += table.hasAmbiguous ? ",ambiguous" : "";
+  text += table.hasBestParticles
+              ? fmt::format(",best_x_{0},best_y_{0},best_z_{0}", table.unitName())
+              : "";
+  text += table.hasCorrectedCells ? ",corrected" : "";
+  text += table.hasAmbiguousCells ? ",ambiguous" : "";
   text += table.hasExtent ? fmt::format(",extent_xx_{0}2,extent_xy_{0}2,extent_xz_{0}2,"
                                         "extent_yy_{0}2,extent_yz_{0}2,extent_zz_{0}2",
                                         table.unitName())

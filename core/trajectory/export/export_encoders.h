@@ -34,7 +34,7 @@ EncodedFiles encodePvd(const ExportTable& table, const std::string& name);
 EncodedFiles encodeJsonLines(const ExportTable& table, const std::string& name);
 
 /// Returns the header as lines that begin with `# `. It contains a description of the file, the
-/// units and axes, and ExportTable::entries.
+/// units and axes, and ExportTable::headerEntries.
 std::string commentHeader(const ExportTable& table);
 /// Returns the text of a length, with nine significant digits.
 std::string lengthText(double value);

@@ -20,12 +20,12 @@ struct ExportFile {
 
 /// An export file format: one entry of the catalog (export_catalog.h).
 struct ExportFormat {
-  std::string_view id;            ///< name on the command line
-  std::string_view title;         ///< name shown to the user
-  std::string_view suffix;        ///< file name suffix, including the dot
-  std::string_view contents;      ///< contents of the file in one sentence
-  TableDefaults tableDefaults;    ///< default axes, unit and rows
-  bool hasFullCovariance = false; ///< true if the file holds the full covariance
+  std::string_view id;               ///< name on the command line
+  std::string_view title;            ///< name shown to the user
+  std::string_view suffix;           ///< file name suffix, including the dot
+  std::string_view contentsSentence; ///< contents of the file in one sentence
+  TableDefaults tableDefaults;       ///< default axes, unit and rows
+  bool hasFullCovariance = false;    ///< true if the file holds the full covariance
   /// True if the file is not text; the preview then shows a description of the file.
   bool isBinary = false;
   /// Encodes the table as one or more files. `name` is the name of the chosen file without suffix,

@@ -47,9 +47,9 @@ std::string targetText(const std::string& name, const ExportCell& cell) {
   }
   return text + fmt::format(",\"cams\":{},\"ess\":{}{}{}{}}}", cell.cameraCount,
                             covarianceText(cell.effectiveSampleSize),
-                            cell.filled ? ",\"filled\":true" : "",
-                            cell.corrected ? ",\"corrected\":true" : "",
-                            cell.ambiguous ? ",\"ambiguous\":true" : "");
+                            cell.isFilled ? ",\"filled\":true" : "",
+                            cell.isCorrected ? ",\"corrected\":true" : "",
+                            cell.isAmbiguous ? ",\"ambiguous\":true" : "");
 }
 
 } // namespace

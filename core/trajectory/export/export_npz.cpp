@@ -139,7 +139,7 @@ EncodedFiles encodeNpz(const ExportTable& table, const std::string& /*name*/) {
       {"xyz.npy", cellArray<double>(table, "<f8", ", 3", positionOfCell)},
       {"cov.npy", cellArray<double>(table, "<f8", ", 3, 3", covarianceOf)},
       {"filled.npy", cellArray<std::uint8_t>(table, "|b1", "",
-                                             [](const ExportCell& c) { return Flag{c.filled}; })},
+                                             [](const ExportCell& c) { return Flag{c.isFilled}; })},
       {"cameras.npy",
        cellArray<std::int32_t>(table, "<i4", "",
                                [](const ExportCell& c) { return std::array{c.cameraCount}; })},
@@ -149,19 +149,19 @@ EncodedFiles encodeNpz(const ExportTable& table, const std::string& /*name*/) {
       {"names.npy", textArray(table.targets, fmt::format("{},", table.targets.size()))},
       {"units.npy", textArray({unitsSentence(table)}, "")},
   };
-  if (table.hasBest) {
+  if (table.hasBestParticles) {
     entries.push_back({"best.npy", cellArray<double>(table, "<f8", ", 3", bestOf)});
   }
-  if (table.hasCorrected) {
+  if (table.hasCorrectedCells) {
     entries.push_back(
         {"corrected.npy", cellArray<std::uint8_t>(table, "|b1", "", [](const ExportCell& c) {
-           return Flag{c.corrected};
+           return Flag{c.isCorrected};
          })});
   }
-  if (table.hasAmbiguous) {
+  if (table.hasAmbiguousCells) {
     entries.push_back(
         {"ambiguous.npy", cellArray<std::uint8_t>(table, "|b1", "", [](const ExportCell& c) {
-           return Flag{c.ambiguous};
+           return Flag{c.isAmbiguous};
          })});
   }
   if (table.hasExtent) {

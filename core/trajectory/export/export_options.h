@@ -28,26 +28,26 @@ enum class LengthUnit { Meter, Millimeter };
 /// First or last row of an export: a time in seconds, or a frame number. The row at the bound is
 /// exported too.
 struct RangeBound {
-  double value = 0.0;   ///< time in seconds, or frame number
-  bool isFrame = false; ///< true if `value` is a frame number
+  double secondsOrFrame = 0.0; ///< time in seconds, or frame number
+  bool isFrameNumber = false;  ///< true if `secondsOrFrame` is a frame number
 };
 
 /// The user's choices for an export. Values that are not set take the default of the format.
 struct ExportOptions {
-  std::string format = "csv";          ///< id of one of exportFormats()
-  std::vector<std::string> targets;    ///< names of the targets to export; empty: all targets
-  std::optional<RangeBound> from;      ///< first row; not set: from the beginning
-  std::optional<RangeBound> to;        ///< last row; not set: to the end
-  std::optional<double> rowsPerSecond; ///< not set: as recorded
+  std::string format = "csv";           ///< id of one of exportFormats()
+  std::vector<std::string> targets;     ///< names of the targets to export; empty: all targets
+  std::optional<RangeBound> rangeBegin; ///< first row; not set: from the beginning
+  std::optional<RangeBound> rangeEnd;   ///< last row; not set: to the end
+  std::optional<double> rowsPerSecond;  ///< not set: as recorded
   GapRule gapRule = GapRule::LeaveEmpty;
   std::optional<WorldAxes> axes;
   std::optional<LengthUnit> unit;
   bool writesHeader = true; ///< true to write metadata even if the format does not require it
   /// True to export estimates that are smoothed after the run, instead of the live estimates.
-  bool smooth = false;
-  double longestGap = 1.0; ///< longest gap that is filled, in seconds
-  std::string date;        ///< date of the export for the header; empty: none
-  bool overwrite = true;   ///< false: existing files are not overwritten
+  bool usesSmoothedEstimates = false;
+  double maxFilledGapSeconds = 1.0; ///< longest gap that is filled
+  std::string exportDate;           ///< date of the export for the header; empty: none
+  bool replacesExisting = true;     ///< false: existing files are not overwritten
 };
 
 } // namespace dewpoint::trajectory

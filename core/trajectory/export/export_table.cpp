@@ -56,15 +56,16 @@ Result<std::vector<std::string>> chosenTargets(const Trajectory& trajectory,
 
 bool isWithin(const TrajectorySample& sample, const ExportOptions& options) {
   const auto sampleAt = [&](const RangeBound& end) {
-    return end.isFrame ? static_cast<double>(sample.frame) : sample.time;
+    return end.isFrameNumber ? static_cast<double>(sample.frame) : sample.time;
   };
-  return !(options.from && sampleAt(*options.from) < options.from->value) &&
-         !(options.to && sampleAt(*options.to) > options.to->value);
+  return !(options.rangeBegin &&
+           sampleAt(*options.rangeBegin) < options.rangeBegin->secondsOrFrame) &&
+         !(options.rangeEnd && sampleAt(*options.rangeEnd) > options.rangeEnd->secondsOrFrame);
 }
 
 ExportCell cellOf(const TrajectorySample& sample) {
   ExportCell cell;
-  cell.hasPosition = sample.valid;
+  cell.hasPosition = sample.isValid;
   if (cell.hasPosition) {
     cell.position = sample.position;
     if (sample.covariance.allFinite() && !sample.covariance.isZero(0.0)) {
@@ -75,8 +76,8 @@ ExportCell cellOf(const TrajectorySample& sample) {
     }
     cell.effectiveSampleSize = sample.effectiveSampleSize;
     cell.cameraCount = sample.cameraCount;
-    cell.corrected = sample.corrected;
-    cell.ambiguous = sample.ambiguous;
+    cell.isCorrected = sample.isCorrected;
+    cell.isAmbiguous = sample.isAmbiguous;
     if (sample.extent && sample.extent->allFinite()) {
       cell.extent = sample.extent;
     }
@@ -131,7 +132,7 @@ Result<ExportTable> recordedTable(const Trajectory& live, const Trajectory& afte
     if (column == columns.end() || !isWithin(sample, options)) {
       continue;
     }
-    if (sample.valid && !sample.position.allFinite()) {
+    if (sample.isValid && !sample.position.allFinite()) {
       return unusable(fmt::format("target {}, frame {}", sample.target, sample.frame),
                       "the position is not a finite number");
     }
@@ -141,8 +142,8 @@ Result<ExportTable> recordedTable(const Trajectory& live, const Trajectory& afte
     }
     ExportCell& cell = table.cells[column->second][row];
     cell = cellOf(sample);
-    cell.filled = cell.hasPosition && !live.samples[k].valid;
-    if (cell.filled && options.gapRule == GapRule::LeaveEmpty) {
+    cell.isFilled = cell.hasPosition && !live.samples[k].isValid;
+    if (cell.isFilled && options.gapRule == GapRule::LeaveEmpty) {
       cell = ExportCell();
     }
   }
@@ -185,7 +186,7 @@ public:
     }
   }
 
-  /// The cell at a time; `filled` if that is in a gap.
+  /// The cell at a time; `isFilled` if that is in a gap.
   ExportCell at(double time) const {
     const auto next =
         std::ranges::lower_bound(rows_, time, {}, [&](std::size_t row) { return times_[row]; });
@@ -221,7 +222,7 @@ private:
     };
     ExportCell cell;
     cell.hasPosition = true;
-    cell.filled = b > a + 1 || cells_[a].filled || cells_[b].filled;
+    cell.isFilled = b > a + 1 || cells_[a].isFilled || cells_[b].isFilled;
     cell.position = interpolatedPosition(neighbor(before, a), positionAt(a), positionAt(b),
                                          neighbor(after, b), time);
     const double share = (time - times_[a]) / (times_[b] - times_[a]);
@@ -232,8 +233,8 @@ private:
     }
     const ExportCell& nearest = cells_[share < 0.5 ? a : b];
     cell.effectiveSampleSize = nearest.effectiveSampleSize;
-    cell.corrected = nearest.corrected;
-    cell.ambiguous = cells_[a].ambiguous || cells_[b].ambiguous;
+    cell.isCorrected = nearest.isCorrected;
+    cell.isAmbiguous = cells_[a].isAmbiguous || cells_[b].isAmbiguous;
     cell.extent = nearest.extent;
     cell.cameraCount = b == a + 1 ? std::min(cells_[a].cameraCount, cells_[b].cameraCount) : 0;
     return cell;
@@ -253,7 +254,7 @@ ExportTable atTimes(const ExportTable& table, std::vector<double> times,
   result.frames = std::move(frames);
   const double usualStep = table.rowsPerSecond > 0.0 ? 1.0 / table.rowsPerSecond : 0.0;
   const double longest = options.gapRule == GapRule::Fill
-                             ? std::max(options.longestGap + 1e-6, kUneven * usualStep)
+                             ? std::max(options.maxFilledGapSeconds + 1e-6, kUneven * usualStep)
                              : 1.5 * usualStep;
   for (std::size_t target = 0; target < table.targets.size(); ++target) {
     const Column column(table, target, longest);
@@ -300,10 +301,10 @@ void rotateAndScale(ExportTable& table) {
       }
       if (cell.bestParticle) {
         cell.bestParticle = Eigen::Vector3d(scale * (turn * *cell.bestParticle));
-        table.hasBest = true;
+        table.hasBestParticles = true;
       }
-      table.hasCorrected = table.hasCorrected || cell.corrected;
-      table.hasAmbiguous = table.hasAmbiguous || cell.ambiguous;
+      table.hasCorrectedCells = table.hasCorrectedCells || cell.isCorrected;
+      table.hasAmbiguousCells = table.hasAmbiguousCells || cell.isAmbiguous;
       if (cell.extent) {
         const Eigen::Matrix3d rotated = turn * *cell.extent * turn.transpose();
         cell.extent = scale * scale * rotated;
@@ -315,15 +316,17 @@ void rotateAndScale(ExportTable& table) {
 
 void describe(ExportTable& table, const Trajectory& trajectory, const ExportOptions& options) {
   table.headerEntries = trajectory.header.entries;
-  table.headerEntries.emplace_back("estimates", options.smooth ? "smoothed after the run" : "live");
+  table.headerEntries.emplace_back(
+      "estimates", options.usesSmoothedEstimates ? "smoothed after the run" : "live");
   if (options.gapRule == GapRule::Fill) {
-    table.headerEntries.emplace_back("gaps", fmt::format("filled up to {} s", options.longestGap));
+    table.headerEntries.emplace_back("gaps",
+                                     fmt::format("filled up to {} s", options.maxFilledGapSeconds));
   }
   if (options.rowsPerSecond) {
     table.headerEntries.emplace_back("resampled", fmt::format("{} Hz", *options.rowsPerSecond));
   }
-  if (!options.date.empty()) {
-    table.headerEntries.emplace_back("exported", options.date);
+  if (!options.exportDate.empty()) {
+    table.headerEntries.emplace_back("exported", options.exportDate);
   }
 }
 
@@ -342,9 +345,11 @@ Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOp
                                     const TableDefaults& defaults,
                                     const std::function<bool(double)>& progress) {
   const Trajectory after =
-      options.smooth ? smoothedTrajectory(trajectory, SmootherOptions{options.longestGap, progress})
-                     : Trajectory();
-  auto table = recordedTable(trajectory, options.smooth ? after : trajectory, options);
+      options.usesSmoothedEstimates
+          ? smoothedTrajectory(trajectory, SmootherOptions{options.maxFilledGapSeconds, progress})
+          : Trajectory();
+  auto table =
+      recordedTable(trajectory, options.usesSmoothedEstimates ? after : trajectory, options);
   if (!table) {
     return table;
   }
@@ -352,7 +357,7 @@ Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOp
   table->recordedRowsPerSecond = table->rowsPerSecond;
   const double span = table->times.back() - table->times.front();
   table->recordedRowCount = 1 + static_cast<std::size_t>(std::lround(span * table->rowsPerSecond));
-  const bool mustBeEven = defaults.requiresEvenRows && table->rowsPerSecond > 0.0 &&
+  const bool mustBeEven = defaults.requiresEvenlySpacedRows && table->rowsPerSecond > 0.0 &&
                           !isEven(table->times, table->rowsPerSecond);
   if (options.rowsPerSecond || mustBeEven) {
     table = resampled(*table, options.rowsPerSecond.value_or(table->rowsPerSecond), options);

@@ -19,9 +19,9 @@ namespace dewpoint::trajectory {
 struct ExportCell {
   /// False: the target has no position in this row, and no other field is set.
   bool hasPosition = false;
-  bool filled = false;    ///< true if the position was interpolated over a gap
-  bool corrected = false; ///< the user corrected the position in this frame
-  bool ambiguous = false; ///< another object is about as likely to be the target
+  bool isFilled = false;    ///< true if the position was interpolated over a gap
+  bool isCorrected = false; ///< the user corrected the position in this frame
+  bool isAmbiguous = false; ///< another object is about as likely to be the target
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   std::optional<Eigen::Matrix3d> covariance;   ///< covariance of the position; empty: not known
   std::optional<Eigen::Vector3d> bestParticle; ///< particle of highest weight; empty: not known
@@ -42,11 +42,11 @@ struct ExportTable {
   double recordedRowsPerSecond = 0.0; ///< rows per second before resampling
   /// Number of rows before resampling, including rows of dropped frames.
   std::size_t recordedRowCount = 0;
-  bool hasCovariance = false; ///< at least one cell has a covariance
-  bool hasBest = false;       ///< at least one cell has a `bestParticle`
-  bool hasCorrected = false;  ///< at least one cell is corrected
-  bool hasAmbiguous = false;  ///< at least one cell is ambiguous
-  bool hasExtent = false;     ///< at least one cell has an extent
+  bool hasCovariance = false;     ///< at least one cell has a covariance
+  bool hasBestParticles = false;  ///< at least one cell has a `bestParticle`
+  bool hasCorrectedCells = false; ///< at least one cell is corrected
+  bool hasAmbiguousCells = false; ///< at least one cell is ambiguous
+  bool hasExtent = false;         ///< at least one cell has an extent
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
   bool writesHeader = true; ///< true to write metadata even if the format does not require it
@@ -65,7 +65,7 @@ struct ExportTable {
 struct TableDefaults {
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
-  bool requiresEvenRows = false; ///< the format requires rows at equal time intervals
+  bool requiresEvenlySpacedRows = false; ///< the format requires rows at equal time intervals
 };
 
 /// Creates the table for an export: selects targets and rows, smooths, resamples, fills gaps and

@@ -134,24 +134,25 @@ std::string pointData(const ExportTable& table, const Drawing& drawing) {
   });
   text += nodeArray(drawing, "Int32", "cameras", 1,
                     [&](const Node& node) { return std::to_string(cellAt(node).cameraCount); });
-  text += nodeArray(drawing, "UInt8", "filled", 1,
-                    [&](const Node& node) { return std::string(cellAt(node).filled ? "1" : "0"); });
+  text += nodeArray(drawing, "UInt8", "filled", 1, [&](const Node& node) {
+    return std::string(cellAt(node).isFilled ? "1" : "0");
+  });
   if (table.hasCovariance) {
     text += nodeArray(drawing, "Float64", "covariance", 6,
                       [&](const Node& node) { return tensorText(cellAt(node).covariance); });
   }
-  if (table.hasBest) {
+  if (table.hasBestParticles) {
     text += nodeArray(drawing, "Float64", "best", 3,
                       [&](const Node& node) { return vectorTuple(cellAt(node).bestParticle); });
   }
-  if (table.hasCorrected) {
+  if (table.hasCorrectedCells) {
     text += nodeArray(drawing, "UInt8", "corrected", 1, [&](const Node& node) {
-      return std::string(cellAt(node).corrected ? "1" : "0");
+      return std::string(cellAt(node).isCorrected ? "1" : "0");
     });
   }
-  if (table.hasAmbiguous) {
+  if (table.hasAmbiguousCells) {
     text += nodeArray(drawing, "UInt8", "ambiguous", 1, [&](const Node& node) {
-      return std::string(cellAt(node).ambiguous ? "1" : "0");
+      return std::string(cellAt(node).isAmbiguous ? "1" : "0");
     });
   }
   if (table.hasExtent) {

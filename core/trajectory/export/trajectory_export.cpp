@@ -191,7 +191,8 @@ std::string sizeSentence(const ExportTable& table) {
 /// The first places of a file that is no text.
 std::string described(const ExportFormat& format, const ExportTable& table, std::size_t bytes,
                       std::size_t lineCount) {
-  std::string text = fmt::format("{}, {} bytes: {}\n", format.title, bytes, format.contents);
+  std::string text =
+      fmt::format("{}, {} bytes: {}\n", format.title, bytes, format.contentsSentence);
   ExportTable plain = table;
   plain.writesHeader = false;
   const auto rows = encoders::encodeWideCsv(plain, "");
@@ -203,20 +204,20 @@ std::string described(const ExportFormat& format, const ExportTable& table, std:
 Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const ExportOptions& options,
                                        const std::filesystem::path& file,
                                        const ExportProgress& progress) {
-  const auto format = exportFormat(options.format);
+  const auto format = findExportFormat(options.format);
   if (!format) {
     return tl::make_unexpected(format.error());
   }
   const auto shouldContinue = [&](double done) { return !progress || progress(done); };
   ExportSummary summary;
-  summary.canceled = !shouldContinue(0.0);
-  if (summary.canceled) {
+  summary.isCanceled = !shouldContinue(0.0);
+  if (summary.isCanceled) {
     return summary;
   }
   auto table = makeExportTable(trajectory, options, (*format)->tableDefaults,
                                [&](double done) { return shouldContinue(kShareOfTable * done); });
-  summary.canceled = !shouldContinue(kShareOfTable);
-  if (summary.canceled) {
+  summary.isCanceled = !shouldContinue(kShareOfTable);
+  if (summary.isCanceled) {
     return summary;
   }
   if (!table) {
@@ -229,7 +230,8 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
   if (!parts) {
     return tl::make_unexpected(parts.error());
   }
-  summary.existingFile = options.overwrite ? std::filesystem::path() : occupiedOf(file, *parts);
+  summary.existingFile =
+      options.replacesExisting ? std::filesystem::path() : occupiedOf(file, *parts);
   if (!summary.existingFile.empty()) {
     return summary;
   }
@@ -237,8 +239,8 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
   ExportWriter writer(file);
   for (std::size_t k = 0; k < parts->size(); ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(parts->size());
-    summary.canceled = !shouldContinue(begin + (1.0 - begin) * share);
-    if (summary.canceled) {
+    summary.isCanceled = !shouldContinue(begin + (1.0 - begin) * share);
+    if (summary.isCanceled) {
       summary.files.clear();
       return summary;
     }
@@ -257,7 +259,7 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
 Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOptions& options,
                                     const std::filesystem::path& file, std::size_t lineCount,
                                     const ExportProgress& progress) {
-  const auto format = exportFormat(options.format);
+  const auto format = findExportFormat(options.format);
   if (!format) {
     return tl::make_unexpected(format.error());
   }

@@ -22,7 +22,7 @@ struct ExportSummary {
   std::size_t rowCount = 0;
   std::size_t targetCount = 0;
   std::size_t gapCount = 0; ///< cells (one target in one row) left empty
-  bool canceled = false;
+  bool isCanceled = false;
   /// Existing file that may not be overwritten. If it is set, nothing was written; otherwise it is
   /// empty.
   std::filesystem::path existingFile;

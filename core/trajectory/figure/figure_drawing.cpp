@@ -45,14 +45,14 @@ public:
   void drawAxes(const std::string& horizontalName, const std::string& verticalName,
                 bool hasNumbersBelow) {
     using Align = FigureDrawing::Align;
-    for (const double x : gridLines(panel_.horizontalRange)) {
+    for (const double x : gridLineValues(panel_.horizontalRange)) {
       const Eigen::Vector2d foot = at({x, panel_.verticalRange.low});
       items_.emplace_back(FigureDrawing::GridLine{foot, {foot.x(), frame_.min().y()}});
       if (hasNumbersBelow) {
         label(boxAt(foot.x() - 40.0, foot.y() + 3.0, 80.0, 16.0), Align::Center, figureNumber(x));
       }
     }
-    for (const double y : gridLines(panel_.verticalRange)) {
+    for (const double y : gridLineValues(panel_.verticalRange)) {
       const Eigen::Vector2d foot = at({panel_.horizontalRange.low, y});
       items_.emplace_back(FigureDrawing::GridLine{foot, {frame_.max().x(), foot.y()}});
       items_.emplace_back(FigureDrawing::Label{boxAt(foot.x() - 56.0, foot.y() - 8.0, 50.0, 16.0),
@@ -70,8 +70,8 @@ public:
 
   void drawCurves() {
     for (const FigureCurve& curve : panel_.curves) {
-      items_.emplace_back(
-          FigureDrawing::Curve{curve.target, frame_, placed(curve.path), placed(curve.band)});
+      items_.emplace_back(FigureDrawing::Curve{curve.target, frame_, placed(curve.path),
+                                               placed(curve.uncertaintyBand)});
     }
   }
 
@@ -129,14 +129,14 @@ std::string labelText(const FigureDrawing::Label& label) {
   // From the top or the middle of a line to its baseline, as parts of the size of the font.
   constexpr double kAscent = 0.93;
   constexpr double kRise = 0.35;
-  const double x = label.align == Align::Left    ? label.box.min().x()
-                   : label.align == Align::Right ? label.box.max().x()
-                                                 : label.box.center().x();
+  const double x = label.alignment == Align::Left    ? label.box.min().x()
+                   : label.alignment == Align::Right ? label.box.max().x()
+                                                     : label.box.center().x();
   const double y = label.isCentered ? label.box.center().y() + kRise * FigureDrawing::kFontSize
                                     : label.box.min().y() + kAscent * FigureDrawing::kFontSize;
-  const char* anchor = label.align == Align::Left    ? "start"
-                       : label.align == Align::Right ? "end"
-                                                     : "middle";
+  const char* anchor = label.alignment == Align::Left    ? "start"
+                       : label.alignment == Align::Right ? "end"
+                                                         : "middle";
   return fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
                      htmlEscaped(label.text));
 }
@@ -147,9 +147,9 @@ std::string curveText(const FigureDrawing::Curve& curve) {
   const Eigen::AlignedBox2d& box = curve.clipRectangle;
   std::string text = fmt::format("<svg {} viewBox=\"{:.2f} {:.2f} {:.2f} {:.2f}\">\n", boxText(box),
                                  box.min().x(), box.min().y(), box.sizes().x(), box.sizes().y());
-  if (!curve.band.empty()) {
+  if (!curve.uncertaintyBand.empty()) {
     text += fmt::format("<polygon points=\"{}\" fill=\"{}\" fill-opacity=\"0.2\"/>\n",
-                        pointsText(curve.band), ink);
+                        pointsText(curve.uncertaintyBand), ink);
   }
   text += fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\" "
                       "stroke-linecap=\"round\" stroke-linejoin=\"round\"/>\n</svg>\n",
@@ -169,7 +169,7 @@ std::string figureTitle(const std::vector<std::pair<std::string, std::string>>& 
   return title;
 }
 
-FigureDrawing figureDrawing(const ExportTable& table, const FigureTexts& texts) {
+FigureDrawing layOutFigure(const ExportTable& table, const FigureTexts& texts) {
   constexpr double kOverTimeWidth = 470.0;
   constexpr double kSquareLeft = 660.0;
   constexpr double kSquareSide = FigureDrawing::kWidth - kSquareLeft - kFigureMargin;
@@ -178,21 +178,22 @@ FigureDrawing figureDrawing(const ExportTable& table, const FigureTexts& texts) 
   drawing.items.emplace_back(FigureDrawing::Label{
       boxAt(kFigureMargin, 12.0, FigureDrawing::kWidth - 2.0 * kFigureMargin, 20.0),
       FigureDrawing::Align::Left, false, texts.title});
-  const TrajectoryFigure figure = trajectoryFigure(table);
-  for (std::size_t axis = 0; axis < figure.overTime.size(); ++axis) {
-    const FigurePanel& panel = figure.overTime[axis];
+  const TrajectoryFigure figure = computeTrajectoryFigure(table);
+  for (std::size_t axis = 0; axis < figure.panelsOverTime.size(); ++axis) {
+    const FigurePanel& panel = figure.panelsOverTime[axis];
     const double top = kPanelsTop + static_cast<double>(axis) * kPanelHeight;
     PanelDrawer drawer(panel,
                        boxAt(kFigureMargin + kAxisSpace, top, kOverTimeWidth, kPanelHeight - 10.0),
                        drawing);
     drawer.drawAxes(texts.timeAxisLabel, axisName(table, panel.verticalAxis),
-                    axis + 1 == figure.overTime.size());
+                    axis + 1 == figure.panelsOverTime.size());
     drawer.drawCurves();
   }
   const Eigen::AlignedBox2d square = boxAt(kSquareLeft, kPanelsTop, kSquareSide, kSquareSide);
-  PanelDrawer above(figure.fromAbove, square, drawing);
-  above.drawAxes(axisName(table, figure.fromAbove.horizontalAxis),
-                 texts.topViewTitle + ", " + axisName(table, figure.fromAbove.verticalAxis), true);
+  PanelDrawer above(figure.topViewPanel, square, drawing);
+  above.drawAxes(axisName(table, figure.topViewPanel.horizontalAxis),
+                 texts.topViewTitle + ", " + axisName(table, figure.topViewPanel.verticalAxis),
+                 true);
   above.drawCurves();
   drawLegend(table, square, drawing);
   return drawing;

@@ -46,7 +46,7 @@ struct FigureDrawing {
   /// Text, aligned in a box.
   struct Label {
     Eigen::AlignedBox2d box; ///< text that is too long extends beyond the box
-    Align align = Align::Left;
+    Align alignment = Align::Left;
     bool isCentered = false; ///< vertically centered; otherwise at the top of the box
     std::string text;
   };
@@ -56,7 +56,7 @@ struct FigureDrawing {
     Eigen::AlignedBox2d clipRectangle;
     std::vector<Eigen::Vector2d> path;
     /// Closed outline of the band, drawn below the path; empty: no band.
-    std::vector<Eigen::Vector2d> band;
+    std::vector<Eigen::Vector2d> uncertaintyBand;
   };
   /// Bar in the legend with the color of a target.
   struct LegendKey {
@@ -69,7 +69,7 @@ struct FigureDrawing {
 };
 
 /// Lays out the figure of a table.
-FigureDrawing figureDrawing(const ExportTable& table, const FigureTexts& texts);
+FigureDrawing layOutFigure(const ExportTable& table, const FigureTexts& texts);
 
 /// Returns the drawing as an SVG file, dark on white, with colors that color-blind people can
 /// distinguish.

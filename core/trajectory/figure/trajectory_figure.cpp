@@ -57,10 +57,10 @@ FigureCurve curveOverTime(const ExportTable& table, std::size_t target, int axis
     const double value = cells[row].position[axis];
     const double off = kBandSigmas * sigmaOf(cells[row], axis);
     curve.path.emplace_back(table.times[row], value);
-    curve.band.emplace_back(table.times[row], value + off);
+    curve.uncertaintyBand.emplace_back(table.times[row], value + off);
     lower.emplace_back(table.times[row], value - off);
   }
-  curve.band.insert(curve.band.end(), lower.rbegin(), lower.rend());
+  curve.uncertaintyBand.insert(curve.uncertaintyBand.end(), lower.rbegin(), lower.rend());
   return curve;
 }
 
@@ -105,15 +105,15 @@ AxisRange AxisRange::padded() const {
   return low <= high ? AxisRange{low - more, high + more} : AxisRange{0.0, 1.0};
 }
 
-double gridStep(double size) {
+double gridLineSpacing(double size) {
   const double rough = size / 5.0;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   const double share = rough / power;
   return power * (share < 1.5 ? 1.0 : share < 3.5 ? 2.0 : share < 7.5 ? 5.0 : 10.0);
 }
 
-std::vector<double> gridLines(const AxisRange& range) {
-  const double step = gridStep(range.size());
+std::vector<double> gridLineValues(const AxisRange& range) {
+  const double step = gridLineSpacing(range.size());
   std::vector<double> lines;
   for (double at = std::ceil(range.low / step) * step; at <= range.high; at += step) {
     lines.push_back(at);
@@ -132,7 +132,7 @@ std::pair<AxisRange, AxisRange> withEqualScale(const AxisRange& horizontal,
   return {widened(horizontal, width), widened(vertical, height)};
 }
 
-TrajectoryFigure trajectoryFigure(const ExportTable& table) {
+TrajectoryFigure computeTrajectoryFigure(const ExportTable& table) {
   return {{overTime(table, 0), overTime(table, 1), overTime(table, 2)}, fromAbove(table)};
 }
 

@@ -27,11 +27,11 @@ struct AxisRange {
 
 /// Returns the spacing of grid lines over a range of this size: 1, 2 or 5 times a power of ten, for
 /// about five lines.
-double gridStep(double size);
+double gridLineSpacing(double size);
 
 /// Returns the values of the grid lines in a range. They are multiples of a round spacing
-/// (gridStep()) that gives about five lines.
-std::vector<double> gridLines(const AxisRange& range);
+/// (gridLineSpacing()) that gives about five lines.
+std::vector<double> gridLineValues(const AxisRange& range);
 
 /// Returns both ranges, one of them widened about its center, so that both axes have the same scale
 /// in a rectangle of this width and height.
@@ -45,7 +45,7 @@ struct FigureCurve {
   std::vector<Eigen::Vector2d> path;
   /// Closed outline of the band of two standard deviations around the path. Empty if the curve has
   /// no band.
-  std::vector<Eigen::Vector2d> band;
+  std::vector<Eigen::Vector2d> uncertaintyBand;
 };
 
 /// A rectangular plot with two axes. Axis numbers 0 to 2 mean world axes x to z, and -1 means time.
@@ -60,11 +60,11 @@ struct FigurePanel {
 /// Contents of a trajectory's figure, in the unit and along the axes of the table.
 struct TrajectoryFigure {
   /// Plots of x, y and z over time, with bands of two standard deviations.
-  std::array<FigurePanel, 3> overTime;
+  std::array<FigurePanel, 3> panelsOverTime;
   /// Path seen from above, in a square with the same scale on both axes.
-  FigurePanel fromAbove;
+  FigurePanel topViewPanel;
 };
 /// Computes the figure of a table.
-TrajectoryFigure trajectoryFigure(const ExportTable& table);
+TrajectoryFigure computeTrajectoryFigure(const ExportTable& table);
 
 } // namespace dewpoint::trajectory

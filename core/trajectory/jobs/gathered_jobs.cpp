@@ -31,16 +31,16 @@ Evaluation evaluationOf(const nlohmann::ordered_json& json, JsonFieldReader& fil
   JsonFieldReader fields(json, name, "targets.");
   fields.readText("target", one.target);
   fields.readNumber("rmse", one.rmse);
-  fields.readNumber("median", one.median);
+  fields.readNumber("median", one.medianError);
   fields.readNumber("p95", one.p95);
-  fields.readNumber("max", one.max);
+  fields.readNumber("max", one.maxError);
   fields.readNumber("rmse_all", one.rmseOfAllFrames);
-  fields.readNumber("inside_95", one.fractionInside95);
+  fields.readNumber("inside_95", one.fractionInside95Ellipsoid);
   constexpr std::int64_t kNone = 0;
   fields.readInteger("frames_compared", one.comparedFrameCount, kNone, limits::kMaxFrames);
   fields.readInteger("lost_frames", one.lostFrameCount, kNone, limits::kMaxFrames);
   fields.readInteger("missing", one.missingFrameCount, kNone, limits::kMaxFrames);
-  fields.readInteger("frames_to_converge", one.framesToConverge, kNone, limits::kMaxFrames);
+  fields.readInteger("frames_to_converge", one.convergenceFrameCount, kNone, limits::kMaxFrames);
   file.recordErrorOf(fields);
   return one;
 }
@@ -60,7 +60,7 @@ Result<std::vector<Evaluation>> evaluationsIn(const fs::path& folder, const JobR
   std::string checksum;
   fields.readText(kTrajectoryChecksumKey, checksum);
   std::vector<Evaluation> evaluations;
-  if (const auto* targets = fields.findObjects("targets")) {
+  if (const auto* targets = fields.findObjectArray("targets")) {
     for (const auto& one : *targets) {
       evaluations.push_back(evaluationOf(one, fields, file.string()));
     }
@@ -80,7 +80,7 @@ Result<std::vector<Evaluation>> evaluationsIn(const fs::path& folder, const JobR
 bool areFilesComplete(const fs::path& folder, const JobRecord& record) {
   return std::ranges::all_of(record.files, [&](const JobFile& file) {
     std::error_code problem;
-    return fs::file_size(folder / file.name, problem) == file.bytes && !problem;
+    return fs::file_size(folder / file.name, problem) == file.byteCount && !problem;
   });
 }
 
@@ -127,7 +127,10 @@ Status mergeRepeated(GatheredJobs& gathered) {
 }
 
 void putIdentity(const JobIdentity& identity, CsvLine& line) {
-  line.put(identity.recording).put(identity.command).put(identity.method).put(identity.settings);
+  line.put(identity.recordingName)
+      .put(identity.command)
+      .put(identity.method)
+      .put(identity.nonDefaultSettings);
   line.put(identity.frameRange).put(identity.seed);
 }
 
@@ -172,7 +175,7 @@ std::string evaluationFileText(const std::vector<Evaluation>& evaluations,
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::string gatheredTable(const GatheredJobs& gathered) {
+std::string gatheredTableText(const GatheredJobs& gathered) {
   std::string text =
       "recording,command,method,settings,frame_range,seed,target,frames,coverage,frames_compared,"
       "rmse_mm,median_mm,p95_mm,max_mm,rmse_all_mm,inside_95,frames_to_converge,lost_frames,"
@@ -180,16 +183,16 @@ std::string gatheredTable(const GatheredJobs& gathered) {
   for (const GatheredRow& row : gatheredRowsOf(gathered)) {
     CsvLine line(text);
     putIdentity(row.job->record.identity, line);
-    line.put(row.target).put(row.job->record.frameCount).put(row.coverage());
+    line.put(row.target).put(row.job->record.frameCount).put(row.validFraction());
     if (row.evaluation != nullptr) {
       const Evaluation& e = *row.evaluation;
       line.put(e.comparedFrameCount);
-      for (const double length : {e.rmse, e.median, e.p95, e.max, e.rmseOfAllFrames}) {
+      for (const double length : {e.rmse, e.medianError, e.p95, e.maxError, e.rmseOfAllFrames}) {
         line.put(inMillimeters(length));
       }
-      line.put(e.fractionInside95);
-      if (e.framesToConverge) {
-        line.put(*e.framesToConverge);
+      line.put(e.fractionInside95Ellipsoid);
+      if (e.convergenceFrameCount) {
+        line.put(*e.convergenceFrameCount);
       } else {
         putNothing(line, 1);
       }
@@ -202,7 +205,7 @@ std::string gatheredTable(const GatheredJobs& gathered) {
   return text;
 }
 
-std::string gatheredDurations(const GatheredJobs& gathered) {
+std::string gatheredDurationsText(const GatheredJobs& gathered) {
   std::string text = "recording,command,method,settings,frame_range,seed,frames,seconds,"
                      "frames_per_second,threads\n";
   for (const GatheredJob& job : gathered.jobs) {

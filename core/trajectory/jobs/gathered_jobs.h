@@ -15,8 +15,8 @@ namespace dewpoint::trajectory {
 struct GatheredJob {
   std::string folder; ///< path of the output folder, as given by the user
   JobRecord record;
-  /// Comparison with the ground truth for each target. The fields `cameras` and `bias` are not set.
-  /// Empty if the job was not evaluated.
+  /// Comparison with the ground truth for each target. The fields `cameraBiases` and `bias` are not
+  /// set. Empty if the job was not evaluated.
   std::vector<Evaluation> evaluations;
 };
 
@@ -44,11 +44,11 @@ std::string evaluationFileText(const std::vector<Evaluation>& evaluations,
                                const std::string& trajectorySha256);
 
 /// Returns a CSV table with one row per job and target. Identical results give identical bytes.
-std::string gatheredTable(const GatheredJobs& gathered);
+std::string gatheredTableText(const GatheredJobs& gathered);
 /// Returns a CSV table with the duration of each job, which differs from run to run.
-std::string gatheredDurations(const GatheredJobs& gathered);
+std::string gatheredDurationsText(const GatheredJobs& gathered);
 /// Returns a Markdown page with the results of each method, the worst results, and the missing
 /// jobs. Identical results give identical bytes.
-std::string gatheredReport(const GatheredJobs& gathered);
+std::string gatheredReportText(const GatheredJobs& gathered);
 
 } // namespace dewpoint::trajectory

@@ -21,10 +21,10 @@ struct MethodGroup {
   std::size_t jobs = 0;
   std::set<std::string> recordings;
   std::int64_t frameCount = 0;
-  std::vector<double> coverage;
+  std::vector<double> validFractions;
   std::vector<double> rmse; ///< meters
   std::vector<double> p95;  ///< meters
-  std::vector<double> fractionInside95;
+  std::vector<double> fractionInside95Ellipsoid;
 };
 using MethodName = std::tuple<std::string, std::string, std::string, std::string>;
 
@@ -49,21 +49,22 @@ std::map<MethodName, MethodGroup> methodGroups(const GatheredJobs& gathered) {
   std::map<MethodName, MethodGroup> groups;
   const auto groupOf = [&](const GatheredJob& job) -> MethodGroup& {
     const JobIdentity& identity = job.record.identity;
-    return groups[{identity.command, identity.method, identity.settings, identity.version}];
+    return groups[{identity.command, identity.method, identity.nonDefaultSettings,
+                   identity.version}];
   };
   for (const GatheredJob& job : gathered.jobs) {
     MethodGroup& group = groupOf(job);
     ++group.jobs;
-    group.recordings.insert(job.record.identity.recording);
+    group.recordings.insert(job.record.identity.recordingName);
     group.frameCount += job.record.frameCount;
   }
   for (const GatheredRow& row : gatheredRowsOf(gathered)) {
     MethodGroup& group = groupOf(*row.job);
-    group.coverage.push_back(row.coverage());
+    group.validFractions.push_back(row.validFraction());
     if (row.evaluation != nullptr) {
       group.rmse.push_back(row.evaluation->rmse);
       group.p95.push_back(row.evaluation->p95);
-      group.fractionInside95.push_back(row.evaluation->fractionInside95);
+      group.fractionInside95Ellipsoid.push_back(row.evaluation->fractionInside95Ellipsoid);
     }
   }
   return groups;
@@ -80,8 +81,9 @@ std::string methodsTable(const GatheredJobs& gathered) {
     text += fmt::format(
         "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", command, method,
         markdownCell(settings), version, group.jobs, group.recordings.size(), group.frameCount,
-        percent(median(group.coverage)), medianText(group.rmse), medianText(group.p95),
-        group.fractionInside95.empty() ? "" : percent(median(group.fractionInside95)));
+        percent(median(group.validFractions)), medianText(group.rmse), medianText(group.p95),
+        group.fractionInside95Ellipsoid.empty() ? ""
+                                                : percent(median(group.fractionInside95Ellipsoid)));
   }
   return text;
 }
@@ -97,12 +99,12 @@ std::string worstTable(const char* title, std::vector<GatheredRow> rows, const W
                                  title);
   for (const GatheredRow& row : rows) {
     const JobIdentity& identity = row.job->record.identity;
-    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", markdownCell(identity.recording),
-                        identity.method, markdownCell(identity.settings), identity.seed,
-                        markdownCell(row.target), percent(row.coverage()),
-                        row.evaluation == nullptr
-                            ? ""
-                            : fmt::format("{:.1f}", inMillimeters(row.evaluation->rmse)));
+    text += fmt::format(
+        "| {} | {} | {} | {} | {} | {} | {} |\n", markdownCell(identity.recordingName),
+        identity.method, markdownCell(identity.nonDefaultSettings), identity.seed,
+        markdownCell(row.target), percent(row.validFraction()),
+        row.evaluation == nullptr ? ""
+                                  : fmt::format("{:.1f}", inMillimeters(row.evaluation->rmse)));
   }
   return text;
 }
@@ -137,10 +139,10 @@ std::vector<GatheredRow> gatheredRowsOf(const GatheredJobs& gathered) {
   return rows;
 }
 
-std::string gatheredReport(const GatheredJobs& gathered) {
+std::string gatheredReportText(const GatheredJobs& gathered) {
   std::set<std::string> recordings;
   for (const GatheredJob& job : gathered.jobs) {
-    recordings.insert(job.record.identity.recording);
+    recordings.insert(job.record.identity.recordingName);
   }
   std::string text = fmt::format("# Results\n\n{} runs of {} recordings; {} missing, {} "
                                  "unfinished.\n\n",
@@ -148,8 +150,8 @@ std::string gatheredReport(const GatheredJobs& gathered) {
                                  gathered.missingFolders.size(), gathered.unfinishedFolders.size());
   text += methodsTable(gathered);
   const std::vector<GatheredRow> rows = gatheredRowsOf(gathered);
-  text +=
-      worstTable("Least coverage", rows, [](const GatheredRow& row) { return -row.coverage(); });
+  text += worstTable("Least coverage", rows,
+                     [](const GatheredRow& row) { return -row.validFraction(); });
   std::vector<GatheredRow> evaluated = rows;
   std::erase_if(evaluated, [](const GatheredRow& row) { return row.evaluation == nullptr; });
   if (!evaluated.empty()) {

@@ -19,7 +19,7 @@ struct GatheredRow {
 
   /// Returns the fraction of the job's frames in which the target had a valid position; 0 without
   /// frames.
-  double coverage() const {
+  double validFraction() const {
     return job->record.frameCount > 0
                ? static_cast<double>(validFrameCount) / static_cast<double>(job->record.frameCount)
                : 0.0;

@@ -35,12 +35,13 @@ Result<JobFile> jobFile(const fs::path& folder, const std::string& name) {
 /// Whether a file is as a job has left it, by its size.
 bool isThere(const fs::path& folder, const JobFile& file) {
   std::error_code problem;
-  return fs::file_size(folder / file.name, problem) == file.bytes && !problem;
+  return fs::file_size(folder / file.name, problem) == file.byteCount && !problem;
 }
 
 } // namespace
 
-std::optional<JobRecord> JobFolder::finishedRecord(const fs::path& folder, const std::string& key) {
+std::optional<JobRecord> JobFolder::readFinishedRecord(const fs::path& folder,
+                                                       const std::string& key) {
   auto record = readJobRecord(folder / kDoneFile);
   if (!record || key.empty() || record->key != key) {
     return std::nullopt;
@@ -50,7 +51,8 @@ std::optional<JobRecord> JobFolder::finishedRecord(const fs::path& folder, const
   return isWhole ? std::optional(std::move(*record)) : std::nullopt;
 }
 
-Result<JobFolder> JobFolder::begin(const fs::path& folder, const std::vector<std::string>& names) {
+Result<JobFolder> JobFolder::beginJob(const fs::path& folder,
+                                      const std::vector<std::string>& names) {
   std::error_code problem;
   fs::create_directories(folder, problem);
   const auto former = readJobRecord(folder / kDoneFile);

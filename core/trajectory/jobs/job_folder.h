@@ -14,25 +14,25 @@ namespace dewpoint::trajectory {
 /// remains if the job is killed.
 inline constexpr const char* kUnfinishedFile = "unfinished";
 
-/// Output folder of a job. It holds a file `unfinished` from begin() to finish(). The file
+/// Output folder of a job. It holds a file `unfinished` from beginJob() to finish(). The file
 /// done.json is written last, so a killed job is never mistaken for a finished one.
 class JobFolder {
 public:
   /// Returns the record of a finished job whose key (a checksum of everything that its result
   /// depends on) is `key`, if all its files exist with their recorded sizes. Otherwise, and for an
   /// empty key, returns nothing.
-  static std::optional<JobRecord> finishedRecord(const std::filesystem::path& folder,
-                                                 const std::string& key);
+  static std::optional<JobRecord> readFinishedRecord(const std::filesystem::path& folder,
+                                                     const std::string& key);
 
   /// Creates the folder and begins a job in it. Files of an earlier job are removed, done.json
   /// first. Files with these `names`, which the new job will write, are also removed. Other files
   /// are kept. Returns FileUnwritable if this fails.
-  static Result<JobFolder> begin(const std::filesystem::path& folder,
-                                 const std::vector<std::string>& names);
+  static Result<JobFolder> beginJob(const std::filesystem::path& folder,
+                                    const std::vector<std::string>& names);
 
   /// Marks the job as finished. The files with these `names` are recorded with their sizes and
   /// checksums. Returns FileUnwritable if this fails. Also returns FileUnwritable, and leaves the
-  /// folder unchanged, if another process has begun a job in the same folder since begin().
+  /// folder unchanged, if another process has begun a job in the same folder since beginJob().
   Status finish(JobRecord record, const std::vector<std::string>& names) const;
 
 private:

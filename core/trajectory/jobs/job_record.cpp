@@ -74,18 +74,18 @@ Result<JobRecord> recordOf(const Json& json, const std::string& file) {
   JobRecord record;
   JsonFieldReader fields(json, file, "");
   JobIdentity& identity = record.identity;
-  fields.readText("recording", identity.recording);
+  fields.readText("recording", identity.recordingName);
   fields.readText("command", identity.command);
   fields.readText("method", identity.method);
   fields.readInteger("seed", identity.seed, std::uint64_t{0}, std::uint64_t{UINT64_MAX});
-  fields.readText("settings", identity.settings);
+  fields.readText("settings", identity.nonDefaultSettings);
   fields.readText("frame_range", identity.frameRange);
   fields.readText("version", identity.version);
   fields.readText("key", record.key);
   fields.readInteger("frames", record.frameCount, std::int64_t{0}, limits::kMaxFrames);
   fields.readNumber("seconds", record.trackingSeconds);
   fields.readInteger("threads", record.threadCount, 0, kMostThreads);
-  if (const Json* targets = fields.findObjects("targets")) {
+  if (const Json* targets = fields.findObjectArray("targets")) {
     for (const Json& one : *targets) {
       JsonFieldReader entry(one, file, "targets.");
       JobTarget& target = record.targets.emplace_back();
@@ -95,12 +95,12 @@ Result<JobRecord> recordOf(const Json& json, const std::string& file) {
       fields.recordErrorOf(entry);
     }
   }
-  if (const Json* files = fields.findObjects("files")) {
+  if (const Json* files = fields.findObjectArray("files")) {
     for (const Json& one : *files) {
       JsonFieldReader entry(one, file, "files.");
       JobFile& written = record.files.emplace_back();
       entry.readText("name", written.name);
-      entry.readInteger("bytes", written.bytes, std::uintmax_t{0}, std::uintmax_t{UINTMAX_MAX});
+      entry.readInteger("bytes", written.byteCount, std::uintmax_t{0}, std::uintmax_t{UINTMAX_MAX});
       entry.readText("sha256", written.sha256);
       fields.recordErrorOf(entry);
     }
@@ -135,11 +135,11 @@ Result<std::string> jobKey(const std::string& description, const std::vector<Job
 std::string jobRecordText(const JobRecord& record) {
   const JobIdentity& identity = record.identity;
   Json json;
-  json["recording"] = identity.recording;
+  json["recording"] = identity.recordingName;
   json["command"] = identity.command;
   json["method"] = identity.method;
   json["seed"] = identity.seed;
-  json["settings"] = identity.settings;
+  json["settings"] = identity.nonDefaultSettings;
   json["frame_range"] = identity.frameRange;
   json["version"] = identity.version;
   json["key"] = record.key;
@@ -152,7 +152,8 @@ std::string jobRecordText(const JobRecord& record) {
   }
   json["files"] = Json::array();
   for (const JobFile& file : record.files) {
-    json["files"].push_back({{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}});
+    json["files"].push_back(
+        {{"name", file.name}, {"bytes", file.byteCount}, {"sha256", file.sha256}});
   }
   // A name from the command line can be any bytes.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

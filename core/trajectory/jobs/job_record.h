@@ -20,7 +20,7 @@ inline constexpr const char* kEvaluationFile = "evaluation.json";
 /// A file that a job has written: its name in the output folder, its size and its checksum.
 struct JobFile {
   std::string name;
-  std::uintmax_t bytes = 0;
+  std::uintmax_t byteCount = 0;
   std::string sha256;
 
   bool operator==(const JobFile&) const = default;
@@ -36,12 +36,12 @@ struct JobTarget {
 
 /// Identity of a job: two jobs with the same identity must give the same result.
 struct JobIdentity {
-  std::string recording; ///< name that the user gave to the recording
-  std::string command;   ///< command of dewpoint-cli: "track" or "people"
+  std::string recordingName; ///< name that the user gave to the recording
+  std::string command;       ///< command of dewpoint-cli: "track" or "people"
   std::string method;
   std::uint64_t seed = 0;
   /// Parameters that differ from the method's defaults, for example "particles=200 kld_error=0".
-  std::string settings;
+  std::string nonDefaultSettings;
   std::string frameRange; ///< range of frames, for example "0:60"; empty: all frames
   std::string version;    ///< version of Dewpoint
 

@@ -56,7 +56,7 @@ void JsonFieldReader::readNumber(const char* key, double& value) {
   }
 }
 
-const ordered_json* JsonFieldReader::findObjects(const char* key) {
+const ordered_json* JsonFieldReader::findObjectArray(const char* key) {
   const ordered_json* found = find(key);
   if (found == nullptr) {
     return nullptr;

@@ -61,14 +61,14 @@ public:
   template <std::integral Integer>
   void readInteger(const char* key, std::optional<Integer>& value, Integer low, Integer high) {
     if (const nlohmann::ordered_json* found = find(key); found != nullptr && !found->is_null()) {
-      Integer read = low;
-      readInteger(key, read, low, high);
-      value = read;
+      Integer parsed = low;
+      readInteger(key, parsed, low, high);
+      value = parsed;
     }
   }
   /// Returns the array of objects under a key, or null after an error. It is an error if an entry
   /// is not an object, or if there are more than kMaxRecordEntries entries.
-  const nlohmann::ordered_json* findObjects(const char* key);
+  const nlohmann::ordered_json* findObjectArray(const char* key);
 
   /// Stores an error for a key, unless an error is already stored.
   void fail(ErrorCode code, const char* key, std::string detail);

@@ -24,7 +24,7 @@ TEST(StreamFormats, EachHasItsOwnIdAndSaysWhatItContains) {
   for (const auto& format : broadcast::streamFormats()) {
     EXPECT_TRUE(ids.insert(format.id).second) << format.id;
     EXPECT_FALSE(format.title.empty());
-    EXPECT_FALSE(format.fields.empty());
+    EXPECT_FALSE(format.frameDescription.empty());
     EXPECT_FALSE(format.encode(exampleFrame()).empty());
   }
   EXPECT_EQ(broadcast::jsonLinesFormat().id, "json");

@@ -41,12 +41,12 @@ TrackSnapshot snapshotAt(std::int64_t frame, double time, const Eigen::Vector3d&
   SphereEstimate sphere;
   sphere.mean = position;
   sphere.covariance = Eigen::Vector3d(1e-6, 4e-6, 9e-6).asDiagonal();
-  sphere.valid = held;
+  sphere.isValid = held;
   sphere.particleCount = 100;
   sphere.existenceProbability = held ? 0.875 : 0.25;
   sphere.cameras.resize(2);
-  sphere.cameras[0].inView = sphere.cameras[1].inView = true;
-  sphere.cameras[0].visible = 0.5; // hidden in the other one
+  sphere.cameras[0].isInView = sphere.cameras[1].isInView = true;
+  sphere.cameras[0].visibleShare = 0.5; // hidden in the other one
   target.estimate = sphere;
   return snapshot;
 }
@@ -80,7 +80,7 @@ TEST(FrameMessage, HasEverythingThatIsKnownOfATarget) {
   EXPECT_LT(target.acceleration.norm(), 1e-9);
   EXPECT_DOUBLE_EQ(target.covariance(2, 2), 9e-6);
   EXPECT_DOUBLE_EQ(target.existenceProbability, 0.875);
-  EXPECT_EQ(target.cameras, std::vector<int>{0});
+  EXPECT_EQ(target.seeingCameras, std::vector<int>{0});
 }
 
 TEST(FrameMessage, OfATargetThatIsNotHeldOnlyItsStateIsKnown) {
@@ -91,7 +91,7 @@ TEST(FrameMessage, OfATargetThatIsNotHeldOnlyItsStateIsKnown) {
   EXPECT_EQ(target.state, "searching");
   EXPECT_FALSE(target.position);
   EXPECT_FALSE(target.velocity);
-  EXPECT_TRUE(target.cameras.empty());
+  EXPECT_TRUE(target.seeingCameras.empty());
   EXPECT_DOUBLE_EQ(target.existenceProbability, 0.25);
 }
 
@@ -105,7 +105,7 @@ TEST(FrameMessage, AxesAndUnitAreThoseThatAreChosen) {
   const auto left = messageOf(snapshot, recent, {OutputAxes::YUpLeftHanded, OutputUnit::Meter});
   EXPECT_TRUE(left.targets[0].position->isApprox(Eigen::Vector3d(0.1, 0.3, 0.2)));
   for (const OutputAxes axes : {OutputAxes::ZUp, OutputAxes::YUp, OutputAxes::YUpLeftHanded}) {
-    const double handedness = OutputCoordinates{axes, {}}.fromWorld().determinant();
+    const double handedness = OutputCoordinates{axes, {}}.outputFromWorld().determinant();
     EXPECT_DOUBLE_EQ(handedness, axes == OutputAxes::YUpLeftHanded ? -1.0 : 1.0);
   }
 }

@@ -21,7 +21,7 @@ TEST(DatagramSender, SendsEachPieceAsOneDatagram) {
   EXPECT_EQ(receiver.readUntil("one"), "one");
   (*sender)->send({"two", "three"});
   EXPECT_EQ(receiver.readUntil("three"), "twothree");
-  EXPECT_EQ((*sender)->report().sentPieces, 3);
+  EXPECT_EQ((*sender)->report().sentPieceCount, 3);
   EXPECT_TRUE(
       broadcast::outletAddressText((*sender)->report()).starts_with("OSC messages to 127.0.0.1:"));
 }
@@ -35,7 +35,7 @@ TEST(DatagramSender, NobodyNeedsToListen) {
     (*sender)->send({"x"});
   }
   (*sender)->send({std::string(100'000, 'x')}); // larger than any datagram
-  EXPECT_GE((*sender)->report().droppedPieces, 1);
+  EXPECT_GE((*sender)->report().droppedPieceCount, 1);
 }
 
 TEST(DatagramSender, AnUnknownAddressIsReported) {

@@ -38,7 +38,7 @@ TEST(LineFile, WritesAFileFromItsBeginning) {
   (*file)->send({"a\n", "b\n"});
   (*file)->send({"c\n"});
   EXPECT_EQ(readTextFile(path).value_or(""), "header\na\nb\nc\n");
-  EXPECT_EQ((*file)->report().sentPieces, 4);
+  EXPECT_EQ((*file)->report().sentPieceCount, 4);
 }
 
 TEST(LineFile, AFileThatCannotBeWrittenIsReported) {
@@ -80,13 +80,13 @@ TEST(LineFile, AFullPipeLosesWholeLines) {
   for (int k = 0; k < 500; ++k) {
     (*file)->send({line});
   }
-  EXPECT_GT((*file)->report().droppedPieces, 300);
+  EXPECT_GT((*file)->report().droppedPieceCount, 300);
   std::string all;
   for (std::string more = textIn(pipe); !more.empty(); more = textIn(pipe)) {
     all += more;
   }
   EXPECT_EQ(all.size() % line.size(), 0U);
-  EXPECT_EQ(all.size() / line.size(), static_cast<std::size_t>((*file)->report().sentPieces));
+  EXPECT_EQ(all.size() / line.size(), static_cast<std::size_t>((*file)->report().sentPieceCount));
 }
 
 } // namespace

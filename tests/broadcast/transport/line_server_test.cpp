@@ -48,8 +48,9 @@ TEST(LineServer, SendsTheOpeningAndThenEveryLineToEveryClient) {
 
 TEST(LineServer, APortThatIsTakenIsReported) {
   const auto server = serverWithoutCommands();
-  const auto again = LineServer::open(
-      "127.0.0.1", server->port(), std::make_shared<RemoteCommandFilter>("", broadcast::RemoteReceiver()));
+  const auto again =
+      LineServer::open("127.0.0.1", server->port(),
+                       std::make_shared<RemoteCommandFilter>("", broadcast::RemoteReceiver()));
   ASSERT_FALSE(again);
   EXPECT_NE(again.error().detail.find(std::to_string(server->port())), std::string::npos);
   EXPECT_FALSE(LineServer::open("no.such.host.invalid", 0, nullptr));
@@ -69,7 +70,7 @@ TEST(LineServer, ASlowClientMissesLinesAndHoldsUpNobody) {
       EXPECT_NE(quick.readUntil("x" + last).find("x" + last), std::string::npos);
     }
   }
-  EXPECT_GT(server->report().droppedPieces, 0);
+  EXPECT_GT(server->report().droppedPieceCount, 0);
   // It then gets whole lines, and the newest.
   const std::string late = slow.readUntil("x" + last);
   EXPECT_NE(late.find("x" + last), std::string::npos);
@@ -81,10 +82,11 @@ TEST(LineServer, ASlowClientMissesLinesAndHoldsUpNobody) {
 
 TEST(LineServer, HostileInputIsIgnored) {
   std::atomic<int> calls = 0;
-  const auto server = serverWith(std::make_shared<RemoteCommandFilter>("a long secret", [&](const auto&) {
-    ++calls;
-    return Status();
-  }));
+  const auto server =
+      serverWith(std::make_shared<RemoteCommandFilter>("a long secret", [&](const auto&) {
+        ++calls;
+        return Status();
+      }));
   TestSocket client = TestSocket::connectedTo(server->port());
   EXPECT_TRUE(client.send(std::string(1 << 20, '[')));
   EXPECT_TRUE(client.send("\n\n\n" + std::string(5000, '\0') + "\n\xff\xfe{\n"));

@@ -20,13 +20,13 @@ TEST(OutgoingQueue, DropsTheOldestButNotTheOneThatIsBeingSent) {
   EXPECT_EQ(queue.push(bytesOf("aaaa")), 0);
   EXPECT_EQ(queue.push(bytesOf("bbbb")), 0);
   EXPECT_EQ(queue.push(bytesOf("cccc")), 1);
-  EXPECT_EQ(queue.bytes(), 8U);
+  EXPECT_EQ(queue.byteCount(), 8U);
   EXPECT_EQ(*queue.front(), "aaaa");
   queue.pop();
   EXPECT_EQ(*queue.front(), "cccc");
   queue.pop();
   EXPECT_TRUE(queue.empty());
-  EXPECT_EQ(queue.bytes(), 0U);
+  EXPECT_EQ(queue.byteCount(), 0U);
 }
 
 TEST(OutgoingQueue, APieceThatIsTooLargeIsSentAloneOrNotAtAll) {

@@ -77,7 +77,7 @@ TEST(BoardGuess, MirroredImages) {
   const BoardGuess best = bestGuess(images);
   EXPECT_TRUE(best.isMirrored);
   EXPECT_EQ(boardText(best.board), "charuco:7x5:0.03:0.0225:DICT_4X4_50");
-  EXPECT_NE(proposalText(best).find("mirror"), std::string::npos);
+  EXPECT_NE(guessAdviceSentence(best).find("mirror"), std::string::npos);
 }
 
 TEST(BoardGuess, AFewOfManyImagesAreEnough) {
@@ -101,7 +101,7 @@ TEST(BoardGuess, NothingWithoutABoard) {
   const auto guesses = guessBoards({cv::Mat(480, 640, CV_8UC1, cv::Scalar(128)), noise, windows},
                                    boardOf("chessboard:9x6:0.025"));
   ASSERT_TRUE(guesses);
-  EXPECT_TRUE(guesses->empty()) << proposalText(guesses->front());
+  EXPECT_TRUE(guesses->empty()) << guessAdviceSentence(guesses->front());
   EXPECT_TRUE(guessBoards({}, boardOf("chessboard:9x6:0.025"))->empty());
 }
 
@@ -141,7 +141,7 @@ TEST(BoardGuess, SameBoards) {
 TEST(BoardGuess, AProposalIsASentenceWithTheOption) {
   const BoardGuess guess{boardOf("charuco:4x5:0.054:0.0405:DICT_4X4_50:inverted"), false, 12, 5,
                          60};
-  EXPECT_EQ(proposalText(guess),
+  EXPECT_EQ(guessAdviceSentence(guess),
             "5 of 12 images searched seem to show a ChArUco board of 4 x 5 squares, DICT_4X4_50, "
             "black and white exchanged: use --board "
             "charuco:4x5:0.054:0.0405:DICT_4X4_50:inverted");

@@ -18,13 +18,14 @@ struct Showing {
     seconds += kFrame;
     auto view = viewOf(board, camera, pose, 0.05, static_cast<std::uint32_t>(seconds / kFrame));
     view.detection.edgeWidthPx = edgeWidthPx;
-    return guidance.step(seconds, view.detection);
+    return guidance.update(seconds, view.detection);
   }
 };
 
 TEST(BoardGuidance, AsksForTheBoard) {
   Showing showing;
-  EXPECT_EQ(showing.guidance.step(0.0, std::nullopt).advice, GuidanceAdvice::ShowCalibrationBoard);
+  EXPECT_EQ(showing.guidance.update(0.0, std::nullopt).advice,
+            GuidanceAdvice::ShowCalibrationBoard);
 }
 
 TEST(BoardGuidance, TakesAViewThatIsHeldStillOnceOnly) {
@@ -34,7 +35,7 @@ TEST(BoardGuidance, TakesAViewThatIsHeldStillOnceOnly) {
   bool asked = false;
   for (int k = 0; k < 60; ++k) {
     const auto state = showing.show(pose);
-    captured += state.captured ? 1 : 0;
+    captured += state.wasCaptured ? 1 : 0;
     asked = asked || state.advice == GuidanceAdvice::HoldStill;
   }
   EXPECT_EQ(captured, 1);
@@ -45,13 +46,13 @@ TEST(BoardGuidance, TakesNothingInMotionOrOutOfFocus) {
   Showing moving;
   for (int k = 0; k < 60; ++k) {
     const auto state = moving.show(boardAt(moving.board, {-0.15 + 0.005 * k, 0.0, 0.5}, 0.0, 0.0));
-    EXPECT_FALSE(state.captured);
+    EXPECT_FALSE(state.wasCaptured);
   }
   Showing soft;
   GuidanceState state;
   for (int k = 0; k < 60; ++k) {
     state = soft.show(boardAt(soft.board, {0.0, 0.0, 0.5}, 0.0, 0.0), 9.0);
-    EXPECT_FALSE(state.captured);
+    EXPECT_FALSE(state.wasCaptured);
   }
   EXPECT_EQ(state.advice, GuidanceAdvice::Sharpen);
 }
@@ -81,16 +82,16 @@ TEST(BoardGuidance, FollowingTheAdviceEndsByItself) {
       tiltY = state.tilt == BoardTilt::RightNear  ? 0.6
               : state.tilt == BoardTilt::LeftNear ? -0.6
                                                   : 0.0;
-      middle = placeFor(showing.camera, state.region);
+      middle = placeFor(showing.camera, state.requestedRegion);
     } else if (state.advice == GuidanceAdvice::ComeNearer) {
       middle = {0.0, 0.0, 0.3};
     } else if (state.advice == GuidanceAdvice::MoveTo) {
-      middle = placeFor(showing.camera, state.region);
+      middle = placeFor(showing.camera, state.requestedRegion);
     }
     // A person's board never stands twice in the very same place.
-    middle.x() += state.captured ? 0.01 * (frames % 7 - 3) : 0.0;
+    middle.x() += state.wasCaptured ? 0.01 * (frames % 7 - 3) : 0.0;
     state = showing.show(boardAt(showing.board, middle, tiltX, tiltY));
-    if (state.captured && showing.guidance.isCalibrationDue()) {
+    if (state.wasCaptured && showing.guidance.isCalibrationDue()) {
       IntrinsicsRequest request{showing.board, showing.guidance.views(), 640, 480};
       const auto result = calibrateIntrinsics(request);
       ASSERT_TRUE(result);
@@ -113,21 +114,21 @@ TEST(RigGuidance, NamesThePairThatIsMissingAndEnds) {
   RigGuidance guidance({640, 640, 640}, settings);
   RigGuidance::State state;
   double seconds = 0.0;
-  for (std::uint32_t place = 0; place < 8 && !state.finished; ++place) {
+  for (std::uint32_t place = 0; place < 8 && !state.isFinished; ++place) {
     const bool last = place >= 3; // first cameras 1 and 2, then 2 and 3
-    for (int k = 0; k < 30 && !state.finished; ++k) {
+    for (int k = 0; k < 30 && !state.isFinished; ++k) {
       const auto pose =
           boardAt(board, {0.1 * (place % 3) - 0.1, 0.05 * (place % 2), 0.6}, 0.2, 0.0);
       const auto view = viewOf(board, testCamera(), pose, 0.0, 0).detection;
       const auto none = std::optional<BoardDetection>();
-      state = guidance.step(seconds += kFrame, {last ? none : view, view, last ? view : none});
+      state = guidance.update(seconds += kFrame, {last ? none : view, view, last ? view : none});
     }
     if (place == 2) {
       EXPECT_EQ(state.firstCamera, 0);
       EXPECT_EQ(state.secondCamera, 2);
     }
   }
-  EXPECT_TRUE(state.finished);
+  EXPECT_TRUE(state.isFinished);
   EXPECT_GE(guidance.sharedInstantCount(1, 2), 2);
   EXPECT_EQ(guidance.sharedInstantCount(0, 2), 0);
 }

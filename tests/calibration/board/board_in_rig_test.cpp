@@ -46,7 +46,7 @@ protected:
 };
 
 TEST_F(BoardInRigTest, IsFoundFromAllCamerasThatSeeIt) {
-  const auto found = boardInRig(board_, rig_, {seenBy(0), std::nullopt, seenBy(2)});
+  const auto found = locateBoardInRig(board_, rig_, {seenBy(0), std::nullopt, seenBy(2)});
   ASSERT_TRUE(found) << found.error().detail;
   EXPECT_LT(difference(found->worldFromBoard, truth_), 1e-5);
   EXPECT_EQ(found->cameras, (std::vector<std::size_t>{0, 2}));
@@ -54,7 +54,7 @@ TEST_F(BoardInRigTest, IsFoundFromAllCamerasThatSeeIt) {
 }
 
 TEST_F(BoardInRigTest, OneCameraIsEnough) {
-  const auto found = boardInRig(board_, rig_, {std::nullopt, seenBy(1), std::nullopt});
+  const auto found = locateBoardInRig(board_, rig_, {std::nullopt, seenBy(1), std::nullopt});
   ASSERT_TRUE(found) << found.error().detail;
   EXPECT_LT(difference(found->worldFromBoard, truth_), 1e-5);
 }
@@ -64,7 +64,7 @@ TEST_F(BoardInRigTest, ASymmetricBoardMayBeNumberedFromEitherEnd) {
   ASSERT_EQ(board_.symmetryOrder(), 2);
   truth_ = boardAt(board_, {0.02, 0.03, 0.8}, 0.5, -0.3, 0.2);
   const auto found =
-      boardInRig(board_, rig_, {seenBy(0), rotated(seenBy(1), board_, 2), seenBy(2)});
+      locateBoardInRig(board_, rig_, {seenBy(0), rotated(seenBy(1), board_, 2), seenBy(2)});
   ASSERT_TRUE(found) << found.error().detail;
   EXPECT_EQ(found->cameras.size(), 3U);
   EXPECT_LT(found->rmsPx, 1e-3);
@@ -74,13 +74,13 @@ TEST_F(BoardInRigTest, ACalibrationThatDoesNotFitIsNamed) {
   rig_[2].cameraFromWorld.translation().x() += 0.2; // moved since it was calibrated
   const auto seen = seenBy(2);
   rig_[2].cameraFromWorld.translation().x() -= 0.2;
-  const auto found = boardInRig(board_, rig_, {seenBy(0), seenBy(1), seen});
+  const auto found = locateBoardInRig(board_, rig_, {seenBy(0), seenBy(1), seen});
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().code, ErrorCode::Mismatch);
 }
 
 TEST_F(BoardInRigTest, WithoutABoardThereIsNone) {
-  const auto found = boardInRig(board_, rig_, {std::nullopt, std::nullopt, std::nullopt});
+  const auto found = locateBoardInRig(board_, rig_, {std::nullopt, std::nullopt, std::nullopt});
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().code, ErrorCode::NotFound);
 }

@@ -56,30 +56,31 @@ TEST(BoardPrint, TheSheetsTogetherAreTheBoard) {
   const auto sheets = splitOnSheets(board, *paperNamed("letter"), 0.0);
   ASSERT_TRUE(sheets);
   // Everything is on a sheet, and neighbors have a strip of 10 mm in common.
-  EXPECT_LE(sheets->partX(0), 0.0);
-  EXPECT_LE(sheets->partY(0), 0.0);
-  EXPECT_GE(sheets->partX(sheets->columns - 1) + sheets->width, 700.0);
-  EXPECT_GE(sheets->partY(sheets->rows - 1) + sheets->height, 500.0);
-  EXPECT_DOUBLE_EQ(sheets->partX(0) + sheets->width - sheets->partX(1), BoardSheets::kOverlap);
+  EXPECT_LE(sheets->partLeft(0), 0.0);
+  EXPECT_LE(sheets->partTop(0), 0.0);
+  EXPECT_GE(sheets->partLeft(sheets->columnCount - 1) + sheets->partWidth, 700.0);
+  EXPECT_GE(sheets->partTop(sheets->rowCount - 1) + sheets->partHeight, 500.0);
+  EXPECT_DOUBLE_EQ(sheets->partLeft(0) + sheets->partWidth - sheets->partLeft(1),
+                   BoardSheets::kOverlapMm);
   const auto isDark = [](const std::vector<BoardPattern::Rectangle>& all, double x, double y) {
     return std::ranges::any_of(all, [&](const auto& one) {
       return x >= one.left && x < one.left + one.width && y >= one.top && y < one.top + one.height;
     });
   };
-  for (int row = 0; row < sheets->rows; ++row) {
-    for (int column = 0; column < sheets->columns; ++column) {
+  for (int row = 0; row < sheets->rowCount; ++row) {
+    for (int column = 0; column < sheets->columnCount; ++column) {
       const auto parts = rectanglesOnSheet(*sheets, column, row, dark);
       for (int k = 0; k < 200; ++k) {
-        const double x = sheets->width * (k % 17 + 0.37) / 17.0;
-        const double y = sheets->height * (k / 17 + 0.41) / 12.0; // NOLINT: whole rows
-        ASSERT_EQ(isDark(parts, sheets->left + x, sheets->top + y),
-                  isDark(dark, sheets->partX(column) + x, sheets->partY(row) + y))
+        const double x = sheets->partWidth * (k % 17 + 0.37) / 17.0;
+        const double y = sheets->partHeight * (k / 17 + 0.41) / 12.0; // NOLINT: whole rows
+        ASSERT_EQ(isDark(parts, sheets->printedLeft + x, sheets->printedTop + y),
+                  isDark(dark, sheets->partLeft(column) + x, sheets->partTop(row) + y))
             << column << " " << row << " " << k;
       }
       for (const auto& part : parts) { // nothing on the edge of the page, where the marks are
-        EXPECT_GE(part.left, sheets->left - 1e-9);
-        EXPECT_LE(part.left + part.width, sheets->left + sheets->width + 1e-9);
-        EXPECT_LE(part.top + part.height, sheets->top + sheets->height + 1e-9);
+        EXPECT_GE(part.left, sheets->printedLeft - 1e-9);
+        EXPECT_LE(part.left + part.width, sheets->printedLeft + sheets->partWidth + 1e-9);
+        EXPECT_LE(part.top + part.height, sheets->printedTop + sheets->partHeight + 1e-9);
       }
     }
   }

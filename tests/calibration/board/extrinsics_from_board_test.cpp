@@ -55,7 +55,7 @@ ExtrinsicsRequest extrinsicsRequest(const char* board, double sigmaPx) {
     }
     request.cameras.push_back(std::move(seen));
   }
-  request.worldInstant = 0;
+  request.worldDefiningInstant = 0;
   return request;
 }
 
@@ -86,22 +86,22 @@ TEST(ExtrinsicsFromBoard, NoisyCornersStayNear) {
                 (truth[k].center() - truth[0].center()).norm(), 0.003);
   }
   EXPECT_NEAR(result->rmsPx, 0.2 * std::sqrt(2.0), 0.02);
-  EXPECT_GT(result->fits[3].centerSigma, 0.0);
-  EXPECT_LT(result->fits[3].centerSigma, 0.01);
+  EXPECT_GT(result->cameraFits[3].centerSigma, 0.0);
+  EXPECT_LT(result->cameraFits[3].centerSigma, 0.01);
 }
 
 // The board is small in the middle of the images: it does not tell how the lens bends rays at the
 // edges.
 TEST(ExtrinsicsFromBoard, LensesThatTheViewsDoNotDetermineAreKept) {
   auto request = extrinsicsRequest("chessboard:9x6:0.025", 0.5);
-  request.refineIntrinsics = true;
+  request.refinesIntrinsics = true;
   for (BoardCamera& camera : request.cameras) {
     camera.intrinsicsErrorPx = 1.0;
   }
   const auto result = calibrateExtrinsics(request);
   ASSERT_TRUE(result) << errorSentence(result.error());
   for (std::size_t k = 0; k < result->cameras.size(); ++k) {
-    EXPECT_FALSE(result->fits[k].isLensRefined) << k;
+    EXPECT_FALSE(result->cameraFits[k].isLensRefined) << k;
     EXPECT_EQ(result->cameras[k].intrinsics.focalX, request.cameras[k].camera.intrinsics.focalX);
   }
   ASSERT_EQ(result->notices.size(), 4U);
@@ -132,8 +132,8 @@ TEST(ExtrinsicsFromBoard, BadViewsAreLeftOutAndNamed) {
   const auto result = calibrateExtrinsics(request);
   ASSERT_TRUE(result) << errorSentence(result.error());
   expectRing(*result, 0.01);
-  const auto& fits = result->fits[2].views;
-  const auto left = std::ranges::find(fits, false, &ViewFit::used);
+  const auto& fits = result->cameraFits[2].views;
+  const auto left = std::ranges::find(fits, false, &ViewFit::isUsed);
   ASSERT_NE(left, fits.end());
   EXPECT_EQ(left->name, view.name);
 }
@@ -151,7 +151,7 @@ TEST(ExtrinsicsFromBoard, UnconnectedCamerasAreNamed) {
 
 TEST(ExtrinsicsFromBoard, TheFirstCameraKeepsAGivenPose) {
   auto request = extrinsicsRequest("chessboard:9x6:0.025", 0.0);
-  request.worldInstant.reset();
+  request.worldDefiningInstant.reset();
   request.cameras[0].camera.cameraFromWorld = ring()[0].cameraFromWorld;
   const auto result = calibrateExtrinsics(request);
   ASSERT_TRUE(result) << errorSentence(result.error());

@@ -64,7 +64,7 @@ TEST(IntrinsicsFromBoard, BadViewsAreLeftOutAndNamed) {
   ASSERT_TRUE(result);
   int left = 0;
   for (const ViewFit& view : result->views) {
-    if (!view.used) {
+    if (!view.isUsed) {
       ++left;
       EXPECT_EQ(view.name, "view 4");
       EXPECT_NE(view.reason.find("px off"), std::string::npos);
@@ -155,7 +155,7 @@ TEST(IntrinsicsFromBoard, OpenCvLeft13) {
   for (std::size_t k = 0; k < 13; ++k) {
     EXPECT_NEAR(result->views[k].rmsPx, perView[k], 0.005) << result->views[k].name;
   }
-  EXPECT_TRUE(result->views[1].doubtful); // named, not left out: 1.2 px is little of 640 px
+  EXPECT_TRUE(result->views[1].isDoubtful); // named, not left out: 1.2 px is little of 640 px
 }
 
 } // namespace

@@ -80,8 +80,8 @@ TEST(BundleAdjustment, DerivativesAreThoseOfFiniteDifferences) {
     PixelCostSetup setup;
     setup.lens = lens;
     setup.outlineShift = 0.01;
-    setup.knots = {0.0, 0.1, 0.2};
-    setup.time = 0.12;
+    setup.knotTimes = {0.0, 0.1, 0.2};
+    setup.imageTime = 0.12;
     setup.sigma = 0.5;
     const PixelCost cost(setup);
     std::vector<std::vector<double>> values{
@@ -131,11 +131,11 @@ TEST(BundleAdjustment, AStickBringsTheRigBackToTheBit) {
   problem.cameras[0].isPoseFixed = true;
   const auto result = adjustBundle(problem);
   ASSERT_TRUE(result) << errorSentence(result.error());
-  EXPECT_LT(result->rms, 1e-6);
+  EXPECT_LT(result->rmsPx, 1e-6);
   for (std::size_t c = 0; c < rig.size(); ++c) {
     EXPECT_LT(distance(result->cameras[c], rig[c]), 1e-7);
   }
-  EXPECT_EQ(result->covariance.gaugeFreedoms, 0);
+  EXPECT_EQ(result->covariance.gaugeFreedomCount, 0);
   EXPECT_EQ(result->covariance.columns.size(), 18U); // three free poses
   const auto again = adjustBundle(problem);
   ASSERT_TRUE(again);
@@ -160,7 +160,7 @@ TEST(BundleAdjustment, TheCovarianceForetellsTheErrors) {
     }
     const auto result = adjustBundle(problem);
     ASSERT_TRUE(result) << errorSentence(result.error());
-    EXPECT_NEAR(result->noiseFactor, 1.0, 0.15);
+    EXPECT_NEAR(result->residualToSigmaRatio, 1.0, 0.15);
     for (std::size_t c = 1; c < rig.size(); ++c) {
       const Eigen::Vector3d way = result->cameras[c].center() - result->cameras[0].center();
       const double error = way.norm() - (rig[c].center() - rig[0].center()).norm();
@@ -210,7 +210,7 @@ TEST(BundleAdjustment, FindsTimeOffsets) {
     // What a quartic through instants 33 ms apart misses of this motion is below 1e-5 m.
     EXPECT_NEAR(result->timeOffsets[c], offsets[c], 2e-5);
   }
-  EXPECT_LT(result->rms, 0.01);
+  EXPECT_LT(result->rmsPx, 0.01);
 }
 
 TEST(BundleAdjustment, ABoardOnTheFloorIsTheWorld) {
@@ -229,7 +229,7 @@ TEST(BundleAdjustment, ABoardOnTheFloorIsTheWorld) {
       pose.linear() = rotationExponential({0.2 * f, -0.1 * f, 0.3});
       pose.translation() << 0.05 * f, -0.1, 0.2 + 0.05 * f;
     }
-    state.isKnown = true;
+    state.isPositionKnown = true;
     state.isFixed = f == 0;
     state.worldFromBoard = pose;
     for (std::size_t c = 0; c < rig.size(); ++c) {
@@ -248,7 +248,7 @@ TEST(BundleAdjustment, ABoardOnTheFloorIsTheWorld) {
   for (std::size_t c = 0; c < rig.size(); ++c) {
     EXPECT_LT(distance(result->cameras[c], rig[c]), 1e-7);
   }
-  EXPECT_EQ(result->covariance.gaugeFreedoms, 0);
+  EXPECT_EQ(result->covariance.gaugeFreedomCount, 0);
 }
 
 TEST(BundleAdjustment, ARobustLossBearsGrossErrors) {
@@ -281,7 +281,7 @@ TEST(BundleAdjustment, TheMiddleOfABallsOutlineIsCorrected) {
   }
   const auto result = adjustBundle(problem);
   ASSERT_TRUE(result) << errorSentence(result.error());
-  EXPECT_LT(result->rms, 1e-6);
+  EXPECT_LT(result->rmsPx, 1e-6);
 }
 
 TEST(BundleAdjustment, SaysWhatIsMissing) {

@@ -23,7 +23,7 @@ BundleStart startOf(const BundleProblem& problem) {
 /// Half the sum of the squared residuals, weighed by the loss.
 double costOf(BundleModel& model) {
   double cost = -1.0;
-  EXPECT_TRUE(model.solver.Evaluate({}, &cost, nullptr, nullptr, nullptr));
+  EXPECT_TRUE(model.ceresProblem.Evaluate({}, &cost, nullptr, nullptr, nullptr));
   return cost;
 }
 
@@ -39,7 +39,7 @@ TEST(BundleModel, BlocksHoldTheStart) {
   EXPECT_LT((Eigen::Map<const Eigen::Vector3d>(model.states[2].values.data()) - ballAt(0.2)).norm(),
             1e-9);
   EXPECT_EQ(model.usedObservationCount, 12U);
-  EXPECT_EQ(model.solver.NumResidualBlocks(), 12);
+  EXPECT_EQ(model.ceresProblem.NumResidualBlocks(), 12);
   // Pose, lens and offset of the camera that looks, and the state.
   EXPECT_EQ(model.blocksOf(5),
             (std::vector<double*>{model.cameras[1].pose.data(), model.cameras[1].lens.data(),
@@ -69,7 +69,7 @@ TEST(BundleModel, AResidualCountsInSigmas) {
   problem.loss = RobustLoss::Cauchy;
   BundleModel cauchy(problem, start);
   EXPECT_NEAR(costOf(cauchy), 2.0 * std::log(26.0), 1e-9);
-  EXPECT_EQ(cauchy.losses.size(), 2U); // one for each sigma
+  EXPECT_EQ(cauchy.lossesBySigma.size(), 2U); // one for each sigma
 }
 
 TEST(BundleModel, WhatIsBehindACameraIsNotUsed) {
@@ -102,8 +102,8 @@ TEST(BundleModel, OnlyWhatIsFreeVaries) {
   EXPECT_TRUE(model.isVariable(model.states[0].values.data()));
   EXPECT_FALSE(model.isVariable(model.states[5].values.data()));
   // Of the lens one number of twelve: the focal length.
-  EXPECT_EQ(model.solver.ParameterBlockTangentSize(model.cameras[1].lens.data()), 1);
-  EXPECT_EQ(model.solver.ParameterBlockSize(model.cameras[1].lens.data()), kLensSize);
+  EXPECT_EQ(model.ceresProblem.ParameterBlockTangentSize(model.cameras[1].lens.data()), 1);
+  EXPECT_EQ(model.ceresProblem.ParameterBlockSize(model.cameras[1].lens.data()), kLensSize);
 }
 
 TEST(BundleModel, EntriesOfALensAreHeldOneByOne) {
@@ -143,7 +143,7 @@ TEST(BundleModel, ASticksLengthIsAResidual) {
     }
   }
   BundleModel model(problem, startOf(problem));
-  EXPECT_EQ(model.solver.NumResidualBlocks(), 12 + 3);
+  EXPECT_EQ(model.ceresProblem.NumResidualBlocks(), 12 + 3);
   EXPECT_NEAR(costOf(model), 3.0 * 2.0, 1e-6);
 }
 
@@ -156,19 +156,21 @@ TEST(BundleModel, PriorsPullToTheStart) {
   problem.cameras[1].focalPriorSigma = 0.02;
   BundleStart start = startOf(problem);
   BundleModel model(problem, start);
-  EXPECT_EQ(model.solver.NumResidualBlocks(), 12 + 2);
+  EXPECT_EQ(model.ceresProblem.NumResidualBlocks(), 12 + 2);
   EXPECT_NEAR(costOf(model), 0.0, 1e-15);
   std::vector<ceres::ResidualBlockId> priors;
-  model.solver.GetResidualBlocksForParameterBlock(model.cameras[1].pose.data(), &priors);
+  model.ceresProblem.GetResidualBlocksForParameterBlock(model.cameras[1].pose.data(), &priors);
   ASSERT_EQ(priors.size(), 7U); // six images and the prior, which was added last
   model.cameras[1].pose[3] += 0.03;
   model.cameras[1].lens[0] *= 1.06;
   double cost = 0.0;
-  ASSERT_TRUE(model.solver.EvaluateResidualBlock(priors.back(), false, &cost, nullptr, nullptr));
+  ASSERT_TRUE(
+      model.ceresProblem.EvaluateResidualBlock(priors.back(), false, &cost, nullptr, nullptr));
   EXPECT_NEAR(cost, 4.5, 1e-9);
-  model.solver.GetResidualBlocksForParameterBlock(model.cameras[1].lens.data(), &priors);
+  model.ceresProblem.GetResidualBlocksForParameterBlock(model.cameras[1].lens.data(), &priors);
   ASSERT_EQ(priors.size(), 7U);
-  ASSERT_TRUE(model.solver.EvaluateResidualBlock(priors.back(), false, &cost, nullptr, nullptr));
+  ASSERT_TRUE(
+      model.ceresProblem.EvaluateResidualBlock(priors.back(), false, &cost, nullptr, nullptr));
   EXPECT_NEAR(cost, 4.5, 1e-9);
 }
 
@@ -190,9 +192,9 @@ TEST(BundleModel, ALateImageDependsOnTheStatesAroundIt) {
   const Eigen::Vector2d off =
       abreast::pixelOf(1.0, ballAt(0.21)) - abreast::pixelOf(1.0, ballAt(0.2));
   std::vector<ceres::ResidualBlockId> all;
-  model.solver.GetResidualBlocks(&all);
+  model.ceresProblem.GetResidualBlocks(&all);
   double cost = 0.0;
-  ASSERT_TRUE(model.solver.EvaluateResidualBlock(all[5], false, &cost, nullptr, nullptr));
+  ASSERT_TRUE(model.ceresProblem.EvaluateResidualBlock(all[5], false, &cost, nullptr, nullptr));
   EXPECT_NEAR(cost, 0.5 * off.squaredNorm(), 1e-9);
 }
 

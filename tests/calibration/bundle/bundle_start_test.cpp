@@ -44,12 +44,12 @@ TEST(BundleStart, FreePointsAreTriangulated) {
     EXPECT_LT((start->states[k].ends[0] - ballAt(kSix[k])).norm(), 1e-9) << k;
   }
   EXPECT_EQ(std::ranges::count(start->isObservationUsed, true), 12);
-  EXPECT_FALSE(start->moving); // all images are of their states' instants
+  EXPECT_FALSE(start->hasInterpolation); // all images are of their states' instants
 }
 
 TEST(BundleStart, AStartThatIsKnownIsKept) {
   BundleProblem problem = ballSeenAt(kSix);
-  problem.states[2].isKnown = true;
+  problem.states[2].isPositionKnown = true;
   problem.states[2].ends[0] = {9.0, 9.0, 9.0};
   const auto start = initializeBundle(problem);
   ASSERT_TRUE(start);
@@ -101,7 +101,7 @@ TEST(BundleStart, ABoardNeedsFourPoints) {
   for (std::size_t k = 0; k < 2; ++k) {
     BundleState state;
     state.time = double(k);
-    state.isKnown = true;
+    state.isPositionKnown = true;
     state.worldFromBoard.translation() = Eigen::Vector3d(0.0, 0.0, 5.0);
     problem.states.push_back(state);
     for (std::size_t point = 0; point < (k == 0 ? 6U : 3U); ++point) {
@@ -116,7 +116,7 @@ TEST(BundleStart, ABoardNeedsFourPoints) {
   ASSERT_TRUE(start) << errorSentence(start.error());
   EXPECT_TRUE(start->isStateUsed[0]); // one camera is enough for a board
   EXPECT_FALSE(start->isStateUsed[1]);
-  problem.states[0].isKnown = false;
+  problem.states[0].isPositionKnown = false;
   const auto nowhere = initializeBundle(problem);
   ASSERT_FALSE(nowhere);
   EXPECT_EQ(nowhere.error().field, "board");
@@ -149,10 +149,11 @@ std::vector<StateIndices> knotsOf(const std::vector<double>& times) {
   EXPECT_TRUE(start);
   std::vector<StateIndices> knots;
   for (std::size_t k = 0; start && k < times.size(); ++k) {
-    EXPECT_TRUE(start->knots[indexOf(problem, k, 0)].empty()); // this camera is on time
-    knots.push_back(start->knots[indexOf(problem, k, 1)]);
+    EXPECT_TRUE(
+        start->interpolationStates[indexOf(problem, k, 0)].empty()); // this camera is on time
+    knots.push_back(start->interpolationStates[indexOf(problem, k, 1)]);
   }
-  EXPECT_TRUE(start && start->moving);
+  EXPECT_TRUE(start && start->hasInterpolation);
   return knots;
 }
 

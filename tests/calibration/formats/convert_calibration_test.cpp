@@ -52,11 +52,11 @@ TEST(ConvertCalibration, LosesNothingWhereTheModelsAgree) {
     }
     const auto conversion = writeCalibration(plainRig(), target(format));
     ASSERT_TRUE(conversion) << format.name << ": " << errorSentence(conversion.error());
-    ASSERT_EQ(conversion->cameras.size(), 2U);
+    ASSERT_EQ(conversion->cameraDifferences.size(), 2U);
     EXPECT_LT(conversion->maxDifferencePx, 1e-6) << format.name;
-    for (const auto& camera : conversion->cameras) {
+    for (const auto& camera : conversion->cameraDifferences) {
       EXPECT_FALSE(camera.isRefitted);
-      EXPECT_EQ(camera.lostDirectionCount, 0);
+      EXPECT_EQ(camera.unseenDirectionCount, 0);
     }
     EXPECT_FALSE(conversion->decisions.empty());
   }
@@ -93,7 +93,7 @@ TEST(ConvertCalibration, RenamesAndFitsOnTheWay) {
   CalibrationChanges changes;
   changes.adaptation = {{{"renamed", rig[1].name}}, SizeFit::Scale};
   const auto& intrinsics = rig[1].intrinsics;
-  changes.size = {2 * intrinsics.width, 2 * intrinsics.height};
+  changes.imageSize = {2 * intrinsics.width, 2 * intrinsics.height};
   const auto conversion = convertCalibration(in.path, {}, out, changes);
   ASSERT_TRUE(conversion) << errorSentence(conversion.error());
   const auto back = readCalibration(out.path, [] {
@@ -135,18 +135,19 @@ TEST(ConvertCalibration, RefitsALensThatTheFormatCannotHoldAndSaysTheLoss) {
   for (const char* name : {"pose2sim", "kalibr"}) {
     const auto conversion = writeCalibration(rig, target(**findCalibrationFormat(name)));
     ASSERT_TRUE(conversion) << errorSentence(conversion.error());
-    EXPECT_NEAR(conversion->cameras[0].maxDifferencePx, 8.969, 1e-3) << name;
-    EXPECT_NEAR(conversion->cameras[1].maxDifferencePx, 0.549, 1e-3) << name;
-    EXPECT_TRUE(conversion->cameras[0].isRefitted && conversion->cameras[1].isRefitted);
+    EXPECT_NEAR(conversion->cameraDifferences[0].maxDifferencePx, 8.969, 1e-3) << name;
+    EXPECT_NEAR(conversion->cameraDifferences[1].maxDifferencePx, 0.549, 1e-3) << name;
+    EXPECT_TRUE(conversion->cameraDifferences[0].isRefitted &&
+                conversion->cameraDifferences[1].isRefitted);
   }
   for (const char* name : {"anipose", "qualisys"}) { // these know k3
     const auto conversion = writeCalibration(rig, target(**findCalibrationFormat(name)));
     ASSERT_TRUE(conversion) << errorSentence(conversion.error());
-    EXPECT_LT(conversion->cameras[0].maxDifferencePx, 1e-6) << name;
-    EXPECT_TRUE(conversion->cameras[1].isRefitted) << name;
-    EXPECT_LT(conversion->cameras[1].maxDifferencePx, 0.549) << name;
+    EXPECT_LT(conversion->cameraDifferences[0].maxDifferencePx, 1e-6) << name;
+    EXPECT_TRUE(conversion->cameraDifferences[1].isRefitted) << name;
+    EXPECT_LT(conversion->cameraDifferences[1].maxDifferencePx, 0.549) << name;
   }
-  EXPECT_EQ(writeCalibration(rig, target(**findCalibrationFormat("mrcal")))->cameras[0].isRefitted,
+  EXPECT_EQ(writeCalibration(rig, target(**findCalibrationFormat("mrcal")))->cameraDifferences[0].isRefitted,
             false);
 }
 

@@ -33,7 +33,7 @@ CalibrationHints unit(double meters) {
 
 CalibrationHints stereo() {
   CalibrationHints hints = unit(0.025); // squares of 25 mm
-  hints.size = {1280, 720};
+  hints.imageSize = {1280, 720};
   return hints;
 }
 

@@ -156,7 +156,7 @@ TEST(FormatPlain, AsksForWhatIsMissing) {
   auto read = readText("a.json", matrix + pose + "}", hints);
   ASSERT_FALSE(read);
   EXPECT_NE(read.error().detail.find("--size"), std::string::npos) << errorSentence(read.error());
-  hints.size = {640, 480};
+  hints.imageSize = {640, 480};
   EXPECT_TRUE(readText("a.json", matrix + pose + "}", hints));
 
   const std::string four = matrix + pose + R"(, "dist": [0.1, 0, 0, 0]})";

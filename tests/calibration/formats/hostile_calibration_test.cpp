@@ -54,7 +54,7 @@ protected:
     CalibrationHints hints;
     hints.format = format;
     hints.lens = LensModel::Pinhole;
-    hints.size = {1280, 720};
+    hints.imageSize = {1280, 720};
     auto calibration = readCalibration(file, hints);
     if (!calibration && calibration.error().field == "unit") {
       hints.metersPerUnit = 0.001;

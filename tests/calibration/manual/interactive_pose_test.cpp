@@ -72,7 +72,7 @@ TEST_P(Drags, ThePointFollowsHeldPointsStayAndTheWayBackLeadsBack) {
         continue; // points too near to each other: said, and nothing jumped
       }
       ++reached;
-      EXPECT_LT(drag.missPx, 1e-6) << "seed " << seed;
+      EXPECT_LT(drag.distanceToRequestedPx, 1e-6) << "seed " << seed;
       const DragResult back = dragPoint(drag.camera, held, {dragged.world, from}, {mode, false});
       const bool isUnique = heldCount != 1 || mode == DragMode::Turn;
       if (back.limit == DragLimit::None && isUnique) {
@@ -145,7 +145,8 @@ TEST(InteractivePose, ThreeHeldPointsLeaveTheFocalLengthOnly) {
     for (const ImageAnchor& anchor : held) {
       EXPECT_LT(missAt(drag.camera, anchor), 1e-6) << "seed " << seed;
     }
-    EXPECT_LT(drag.missPx, Eigen::Vector2d(6.0, 4.0).norm() + 1e-9) << "seed " << seed;
+    EXPECT_LT(drag.distanceToRequestedPx, Eigen::Vector2d(6.0, 4.0).norm() + 1e-9)
+        << "seed " << seed;
     nearer += drag.camera.intrinsics.focalX != camera.intrinsics.focalX ? 1 : 0;
   }
   EXPECT_GE(nearer, 15);
@@ -172,7 +173,7 @@ TEST(InteractivePose, RefusesWithAReason) {
   const DragResult stopped = dragPoint(camera, {held, other}, far, {});
   EXPECT_LT(missAt(stopped.camera, held), 1e-6);
   EXPECT_LT(missAt(stopped.camera, other), 1e-6);
-  EXPECT_TRUE(stopped.limit != DragLimit::None || stopped.missPx < 1e-6);
+  EXPECT_TRUE(stopped.limit != DragLimit::None || stopped.distanceToRequestedPx < 1e-6);
 }
 
 TEST(InteractivePose, DerivativesAreThoseOfTheProjection) {
@@ -186,9 +187,9 @@ TEST(InteractivePose, DerivativesAreThoseOfTheProjection) {
     ChangeVector step = ChangeVector::Zero();
     step[k] = 1e-4;
     // The changed camera itself, projected by Projector: another path than
-    // CameraVariation::pixel().
+    // CameraVariation::projectedPixel().
     const Eigen::Vector2d moved =
-        Projector(change.changed(step)).project(anchors[0].world).value() - anchors[0].pixel;
+        Projector(change.changedCamera(step)).project(anchors[0].world).value() - anchors[0].pixel;
     EXPECT_LT((moved - 1e-4 * jacobian->col(k)).norm(), 2e-4 * 1e-4 * 520.0 * 10) << k;
   }
 }

@@ -81,7 +81,7 @@ TEST(MeasuredPoints, TheFocalLengthComesBackToo) {
   const CameraRig rig{measuringCamera({-2.0, -3.0, 1.8}, "left")};
   CameraRig wrong{zoomed(rig[0], 0.85)};
   PointSettings settings;
-  settings.estimateFocal = true;
+  settings.estimatesFocal = true;
   const PointSolution solution = solveFromPoints(wrong, pointsSeenBy(rig, 8), settings);
   EXPECT_NEAR(solution.rig[0].intrinsics.focalX, 520.0, 1e-3);
   EXPECT_LT(apart(solution.rig[0], rig[0]), 1e-4);
@@ -91,7 +91,7 @@ TEST(MeasuredPoints, AFocalLengthNeedsSixPoints) {
   const CameraRig rig{measuringCamera({-2.0, -3.0, 1.8}, "left")};
   const CameraRig wrong{zoomed(rig[0], 0.98)};
   PointSettings settings;
-  settings.estimateFocal = true;
+  settings.estimatesFocal = true;
   const auto focalFrom = [&](int count) {
     return solveFromPoints(wrong, pointsSeenBy(rig, static_cast<std::size_t>(count)), settings)
         .rig[0]
@@ -108,11 +108,11 @@ TEST(MeasuredPoints, ResidualsAreInPixelsAndMeters) {
   points[2].clicks[0].pixel.x() += 5.0;
   const auto residuals = clickResiduals(rig, points);
   ASSERT_EQ(residuals.size(), 5U);
-  EXPECT_NEAR(residuals[2].pixels, 5.0, 1e-9);
+  EXPECT_NEAR(residuals[2].imageDistancePx, 5.0, 1e-9);
   const double distance = (points[2].world - rig[0].center()).norm();
-  EXPECT_NEAR(residuals[2].meters, 5.0 * distance / 520.0, 0.15 * 5.0 * distance / 520.0);
-  EXPECT_LT(residuals[1].pixels, 1e-9);
-  EXPECT_LT(residuals[1].meters, 1e-9);
+  EXPECT_NEAR(residuals[2].rayDistance, 5.0 * distance / 520.0, 0.15 * 5.0 * distance / 520.0);
+  EXPECT_LT(residuals[1].imageDistancePx, 1e-9);
+  EXPECT_LT(residuals[1].rayDistance, 1e-9);
 }
 
 TEST(MeasuredPoints, TheMistypedPointIsNamed) {
@@ -194,7 +194,7 @@ TEST_P(Symmetries, ATurnedOrMirroredStreamIsNamed) {
   // What arrives must be transformed by `wanted` to be what the camera sees: clicks are where the
   // inverse puts them, and nobody knew when the intrinsics were made.
   const ImageSymmetry arrived =
-      wanted.mirrored ? wanted : ImageSymmetry{(360 - wanted.rotateDegrees) % 360, false};
+      wanted.isMirrored ? wanted : ImageSymmetry{(360 - wanted.rotateDegrees) % 360, false};
   auto points = pointsSeenBy(rig, 8);
   CameraRig streams = displaced(rig);
   streams[1] = transformed(arrived, streams[1]);
@@ -260,7 +260,7 @@ TEST(MeasuredPoints, AMirroredFloorIsSeenFromBelow) {
   const CameraRig stream{transformed({0, true}, rig[0])};
   const PointSolution solution = solveFromPoints(stream, points);
   ASSERT_TRUE(solution.cameras[0].proposal);
-  EXPECT_TRUE(solution.cameras[0].proposal->symmetry.mirrored);
+  EXPECT_TRUE(solution.cameras[0].proposal->symmetry.isMirrored);
 }
 
 } // namespace

@@ -61,8 +61,8 @@ TEST(EstimateMovedPose, FindsTurnAndShiftFromTheTarget) {
   const auto seen = sightings(bumped, 300, 0.5);
   const auto moved = estimateMovedPose(camera(), prior, seen);
   ASSERT_TRUE(moved) << errorSentence(moved.error());
-  EXPECT_GT(moved->medianPxBefore, 4.0); // 0.94 degrees at 500 px are 8 px
-  EXPECT_LT(moved->medianPxAfter, 0.7);  // the median of a Rayleigh of 0.5 px is 0.59
+  EXPECT_GT(moved->medianResidualPxBefore, 4.0); // 0.94 degrees at 500 px are 8 px
+  EXPECT_LT(moved->medianResidualPxAfter, 0.7);  // the median of a Rayleigh of 0.5 px is 0.59
   EXPECT_LT(angleBetween(moved->camera, bumped), 0.05 * kDegree);
   EXPECT_LT((moved->camera.center() - bumped.center()).norm(), 0.003);
   // What is left is what is said to be left: within four sigma.

@@ -56,9 +56,10 @@ double fractionWithin(const CameraRig& rig) {
   const VolumeGrid grid = gridOver(kRoom, 900);
   int good = 0;
   for (std::size_t cell = 0; cell < grid.cellCount(); ++cell) {
-    const auto x = int(cell % std::size_t(grid.cells[0]));
-    const auto y = int(cell / std::size_t(grid.cells[0]) % std::size_t(grid.cells[1]));
-    const auto z = int(cell / std::size_t(grid.cells[0] * grid.cells[1]));
+    const auto x = int(cell % std::size_t(grid.cellsPerAxis[0]));
+    const auto y =
+        int(cell / std::size_t(grid.cellsPerAxis[0]) % std::size_t(grid.cellsPerAxis[1]));
+    const auto z = int(cell / std::size_t(grid.cellsPerAxis[0] * grid.cellsPerAxis[1]));
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     int seeing = 0;
     for (const Camera& camera : rig) {
@@ -98,9 +99,9 @@ TEST(CameraPlacement, ASecondCameraLooksAcrossTheFirst) {
   EXPECT_TRUE(onWallOrCeiling(found->camera.center())) << found->camera.center().transpose();
   const double cosine = found->camera.opticalAxis().dot(rig[0].opticalAxis());
   EXPECT_LT(std::abs(cosine), std::cos(std::numbers::pi / 4.0));
-  EXPECT_EQ(found->goodFractionBefore, 0.0); // one camera triangulates nothing
+  EXPECT_EQ(found->goodVolumeFractionBefore, 0.0); // one camera triangulates nothing
   const CameraRig across{rig[0], at({0, -2, 1.5})};
-  EXPECT_GE(found->goodFractionAfter, fractionWithin(across) - kTwoCells);
+  EXPECT_GE(found->goodVolumeFractionAfter, fractionWithin(across) - kTwoCells);
 }
 
 TEST(CameraPlacement, IsNoWorseThanPlacesByHand) {
@@ -112,12 +113,12 @@ TEST(CameraPlacement, IsNoWorseThanPlacesByHand) {
     with.push_back(added);
     return fractionWithin(with);
   };
-  EXPECT_NEAR(share(found->camera), found->goodFractionAfter, kTwoCells);
-  EXPECT_NEAR(fractionWithin(rig), found->goodFractionBefore, kTwoCells);
+  EXPECT_NEAR(share(found->camera), found->goodVolumeFractionAfter, kTwoCells);
+  EXPECT_NEAR(fractionWithin(rig), found->goodVolumeFractionBefore, kTwoCells);
   for (const Eigen::Vector3d& place :
        {Eigen::Vector3d(0, 2, 2), Eigen::Vector3d(2, 2, 2), Eigen::Vector3d(-2, 2, 2),
         Eigen::Vector3d(0, 0, 2), Eigen::Vector3d(0, -2, 1.5)}) {
-    EXPECT_GE(found->goodFractionAfter, share(at(place)) - 0.02) << place.transpose();
+    EXPECT_GE(found->goodVolumeFractionAfter, share(at(place)) - 0.02) << place.transpose();
   }
 }
 
@@ -154,7 +155,7 @@ TEST(CameraPlacement, NamesWhatIsMissing) {
 TEST(RigMap, CellsAreNearlyCubes) {
   // 4 x 4 x 2 m in 8640 cells: 0.1547 m each, 26 x 26 x 13.
   const VolumeGrid grid = gridOver(kRoom, 8640);
-  EXPECT_EQ(grid.cells, (std::array<int, 3>{26, 26, 13}));
+  EXPECT_EQ(grid.cellsPerAxis, (std::array<int, 3>{26, 26, 13}));
   EXPECT_EQ(cellAt(grid, {-2, -2, 0}), 0U);
   EXPECT_EQ(cellAt(grid, {2, 2, 2}), grid.cellCount() - 1);
   EXPECT_FALSE(cellAt(grid, {2.1, 0, 1}));
@@ -247,10 +248,10 @@ TEST(CameraPlacement, FiguresAreThoseOfTheMapThatIsShown) {
   with.push_back(found->camera);
   const auto shared = [&](const CameraRig& cameras) {
     const RigMap map = RigMapper().map(gridOver(kRoom, 2000), onMap.pixelSigma, cameras);
-    return summaryOf(map, onMap.goodSigma).fractionWithinLimit;
+    return summaryOf(map, onMap.maxGoodSigma).fractionWithinLimit;
   };
-  EXPECT_EQ(found->goodFractionBefore, shared(rig));
-  EXPECT_EQ(found->goodFractionAfter, shared(with));
+  EXPECT_EQ(found->goodVolumeFractionBefore, shared(rig));
+  EXPECT_EQ(found->goodVolumeFractionAfter, shared(with));
 }
 
 } // namespace

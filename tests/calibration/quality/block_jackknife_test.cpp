@@ -37,10 +37,10 @@ TEST(BlockJackknife, OfAMeanIsItsKnownVariance) {
   jackknife.rigs.resize(10);
   const double widened = studentQuantile95(9.0) / 1.96;
   const double variance = (numbers.array() - numbers.mean()).square().sum() / 9.0 / 10.0;
-  EXPECT_NEAR(jackknifeDeviations(without, jackknife.errorFactor()).squaredNorm(),
+  EXPECT_NEAR(jackknifeDeviations(without, jackknife.deviationScale()).squaredNorm(),
               widened * widened * variance, 1e-9);
   jackknife.rigs.resize(3);
-  EXPECT_EQ(jackknife.errorFactor(), 0.0); // too few to tell
+  EXPECT_EQ(jackknife.deviationScale(), 0.0); // too few to tell
 }
 
 /// Frames of one camera that was late share their errors; the covariance takes each corner as an
@@ -60,7 +60,7 @@ TEST(BlockJackknife, ErrorsThatFramesShareWidenEachCamera) {
   ASSERT_TRUE(accuracy);
   ASSERT_EQ(accuracy->cameras.size(), truth.size());
   const auto stated = [&](std::size_t camera) {
-    return result->bundle.noiseFactor * centerSigma(result->bundle.covariance, camera);
+    return result->bundle.residualToSigmaRatio * centerSigma(result->bundle.covariance, camera);
   };
   EXPECT_GT(accuracy->cameras[2].positionSigma, 1.5 * stated(2));
   EXPECT_GT(accuracy->cameras[2].positionSigma, accuracy->cameras[0].positionSigma);

@@ -53,7 +53,7 @@ struct Summary {
   int trials = 0;
   std::vector<double> errors; ///< true errors of places over the predicted 95 %, rising
   double sizeSquares = 0.0;   ///< of the true errors of the size over their predicted sigma
-  double worstRatio = 0.0;    ///< largest CalibrationAccuracy::changeRatio
+  double worstRatio = 0.0;    ///< largest CalibrationAccuracy::crossValidationErrorRatio
 };
 
 /// Calibrates `trials` times; the ratios of true and predicted errors are pooled.
@@ -75,11 +75,11 @@ Summary manyTrials(int trials) {
     EXPECT_TRUE(accuracy) << trial;
     double sizeError = 0.0;
     for (const double error : trueErrors(truth, result->cameras, noise, seed, sizeError)) {
-      all.errors.push_back(error / accuracy->position95);
+      all.errors.push_back(error / accuracy->positionError95);
     }
-    const double z = sizeError / (*accuracy->scale95 / 1.96);
+    const double z = sizeError / (*accuracy->scaleError95 / 1.96);
     all.sizeSquares += z * z;
-    all.worstRatio = std::max(all.worstRatio, accuracy->changeRatio);
+    all.worstRatio = std::max(all.worstRatio, accuracy->crossValidationErrorRatio);
     ++all.trials;
     if (::testing::Test::HasFailure()) {
       break;
@@ -114,24 +114,24 @@ TEST(CalibrationAccuracy, DISABLED_PredictsTheTrueErrorsOfFifty) {
 
 TEST(CalibrationAccuracy, SaysItInOneSentence) {
   CalibrationAccuracy accuracy;
-  accuracy.position95 = 0.0031;
+  accuracy.positionError95 = 0.0031;
   EXPECT_EQ(accuracySummary(accuracy),
             "In this volume +-3.1 mm (95 %), scale unknown, up not measured.");
-  accuracy.scale95 = 0.001;
-  accuracy.upAngle95 = 0.2 / 180.0 * 3.14159265358979;
+  accuracy.scaleError95 = 0.001;
+  accuracy.upAngleError95 = 0.2 / 180.0 * 3.14159265358979;
   EXPECT_EQ(accuracySummary(accuracy),
             "In this volume +-3.1 mm (95 %), scale +-0.1 %, up +-0.2 degrees.");
-  accuracy.position95 = 0.893;
-  accuracy.scale95 = std::numeric_limits<double>::quiet_NaN();
+  accuracy.positionError95 = 0.893;
+  accuracy.scaleError95 = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(accuracySummary(accuracy),
             "In this volume +-890 mm (95 %), scale unknown, up +-0.2 degrees.");
 }
 
 TEST(CalibrationAccuracy, SaysWhatIsExtrapolated) {
   CalibrationAccuracy accuracy;
-  accuracy.position95 = 0.0031;
-  accuracy.outsidePosition95 = 0.0094;
-  accuracy.outsideDistance = 0.82;
+  accuracy.positionError95 = 0.0031;
+  accuracy.outsidePositionError95 = 0.0094;
+  accuracy.outsideRegionDepth = 0.82;
   EXPECT_EQ(accuracySummary(accuracy),
             "In this volume +-3.1 mm (95 %), scale unknown, up not measured. Outside it, up to 0.8 "
             "m away, +-9.4 mm (extrapolated).");
@@ -153,9 +153,9 @@ TEST(CalibrationAccuracy, OutsideTheVolumeItIsLargerAndStillTrue) {
     ASSERT_TRUE(result) << errorSentence(result.error());
     const auto accuracy = assessCalibration(result->problem, result->bundle);
     ASSERT_TRUE(accuracy);
-    ASSERT_TRUE(accuracy->outsidePosition95) << seed;
-    EXPECT_GE(*accuracy->outsidePosition95, accuracy->position95);
-    EXPECT_GT(accuracy->outsideDistance, 0.2);
+    ASSERT_TRUE(accuracy->outsidePositionError95) << seed;
+    EXPECT_GE(*accuracy->outsidePositionError95, accuracy->positionError95);
+    EXPECT_GT(accuracy->outsideRegionDepth, 0.2);
     std::vector<Eigen::Vector3d> inside;
     std::vector<Eigen::Vector3d> outside;
     for (int i = 0; i < 100; ++i) {
@@ -184,7 +184,7 @@ TEST(CalibrationAccuracy, OutsideTheVolumeItIsLargerAndStillTrue) {
     const auto [foundOutside, trueOutside] = found(outside);
     for (std::size_t i = 0; i < foundOutside.size(); ++i) {
       ratios.push_back((back * foundOutside[i] - trueOutside[i]).norm() /
-                       *accuracy->outsidePosition95);
+                       *accuracy->outsidePositionError95);
     }
   }
   const auto within = std::ranges::count_if(ratios, [](double ratio) { return ratio <= 1.0; });
@@ -211,7 +211,7 @@ TEST(CalibrationAccuracy, WidensWhereErrorsAreNotIndependent) {
   ASSERT_TRUE(result) << errorSentence(result.error());
   const auto accuracy = assessWand(*result, {});
   ASSERT_TRUE(accuracy);
-  EXPECT_GT(accuracy->modelFactor, 1.5);
+  EXPECT_GT(accuracy->errorInflationFactor, 1.5);
   EXPECT_GT(accuracy->leftOutRmsPx, 0.1); // the noise alone leaves 0.05 px times some 1.2
 }
 

@@ -17,12 +17,12 @@ TEST(CommonView, ContainsWhatTwoCamerasSee) {
   for (int i = 0; i < 200; ++i) {
     targets.push_back(waved(2, 0.1 * i, 0));
   }
-  const CommonView view = commonView(cameras, targets);
+  const CommonView view = findCommonView(cameras, targets);
   ASSERT_GT(view.positions.size(), 100U);
-  ASSERT_EQ(view.cameras.size(), view.positions.size());
+  ASSERT_EQ(view.camerasPerPosition.size(), view.positions.size());
   for (std::size_t i = 0; i < view.positions.size(); ++i) {
-    EXPECT_GE(view.cameras[i].size(), 2U);
-    for (const std::size_t camera : view.cameras[i]) {
+    EXPECT_GE(view.camerasPerPosition[i].size(), 2U);
+    for (const std::size_t camera : view.camerasPerPosition[i]) {
       const auto pixel = Projector(cameras[camera]).project(view.positions[i]);
       ASSERT_TRUE(pixel);
       EXPECT_TRUE(inImage(cameras[camera], *pixel));
@@ -32,8 +32,8 @@ TEST(CommonView, ContainsWhatTwoCamerasSee) {
 }
 
 TEST(CommonView, OneCameraHasNone) {
-  EXPECT_TRUE(commonView({rig(2)[0]}, {{0.0, 0.0, 1.0}}).positions.empty());
-  EXPECT_TRUE(commonView(rig(2), {}).positions.empty());
+  EXPECT_TRUE(findCommonView({rig(2)[0]}, {{0.0, 0.0, 1.0}}).positions.empty());
+  EXPECT_TRUE(findCommonView(rig(2), {}).positions.empty());
 }
 
 TEST(PrincipalBox, LiesAlongThePositions) {
@@ -50,8 +50,8 @@ TEST(PrincipalBox, LiesAlongThePositions) {
   const PrincipalBox box = principalBox(positions, 0.0);
   EXPECT_TRUE(box.extents().isApprox(Eigen::Vector3d(0.8, 0.4, 0.2), 1e-9));
   EXPECT_NEAR(std::abs(box.axes.col(0).dot(turned.col(0))), 1.0, 1e-9);
-  EXPECT_NEAR(box.distance(box.center), 0.0, 1e-12);
-  EXPECT_NEAR(box.distance(box.center + turned * Eigen::Vector3d(0.7, 0.0, 0.5)), 0.5, 1e-9);
+  EXPECT_NEAR(box.distanceTo(box.center), 0.0, 1e-12);
+  EXPECT_NEAR(box.distanceTo(box.center + turned * Eigen::Vector3d(0.7, 0.0, 0.5)), 0.5, 1e-9);
   EXPECT_EQ(principalBox({}, 0.1).extents(), Eigen::Vector3d::Zero());
 }
 

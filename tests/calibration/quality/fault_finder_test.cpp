@@ -28,7 +28,7 @@ WandProblem clean(std::uint32_t seed, int cameras = 4) {
 }
 
 FaultReport find(const WandProblem& problem) {
-  const auto bundle = wandBundle(problem);
+  const auto bundle = makeWandBundle(problem);
   EXPECT_TRUE(bundle) << errorSentence(bundle.error());
   FaultSearchInput question;
   question.problem = *bundle;
@@ -38,8 +38,8 @@ FaultReport find(const WandProblem& problem) {
 std::string told(const FaultReport& report) {
   std::string text;
   for (const DetectedFault& fault : report.faults) {
-    text += std::string(faultName(fault.fault)) + " gain " + std::to_string(fault.gain) + ": " +
-            fault.sentence + "\n";
+    text += std::string(faultName(fault.fault)) + " gain " +
+            std::to_string(fault.logLikelihoodGain) + ": " + fault.sentence + "\n";
   }
   return text + "sigma " + std::to_string(report.sigmaPx);
 }
@@ -164,7 +164,7 @@ TEST(FaultFinder, LensDataOfAnotherResolutionAreNamed) {
     expectOnly(find(problem), CalibrationFault::WrongResolution, {2});
   }
   FaultSearchInput question;
-  question.problem = *wandBundle(clean(1));
+  question.problem = *makeWandBundle(clean(1));
   question.imageSizes = {{640, 480}, {1280, 960}, {640, 480}, {640, 480}};
   expectOnly(findFaults(question), CalibrationFault::WrongResolution, {1});
 }
@@ -235,7 +235,7 @@ FaultSearchInput shown(std::uint32_t seed, bool floor, double noise = 0.1) {
     BundleState state;
     state.time = k;
     state.isFixed = floor;
-    state.isKnown = !floor;
+    state.isPositionKnown = !floor;
     state.worldFromBoard = worldFromFlatBoard();
     Eigen::Isometry3d real = state.worldFromBoard; // lies flat, then is tilted and carried about
     if (!floor) {

@@ -28,7 +28,7 @@ WandResult followed(const CameraRig& rig, const BallPath& path, double seconds =
   result.problem.bodies = {{.name = "ball"}};
   for (int f = 0; f < static_cast<int>(seconds * kRate); ++f) {
     const double time = f / kRate;
-    BundleState state{.time = time, .isKnown = true};
+    BundleState state{.time = time, .isPositionKnown = true};
     state.ends[0] = path(time);
     for (std::size_t c = 0; c < rig.size(); ++c) {
       const auto pixel = Projector(rig[c]).project(state.ends[0]);
@@ -67,7 +67,7 @@ TEST(MissingMotion, AWaveThroughTheVolumeLacksNothing) {
 TEST(MissingMotion, AShortRecordingIsNamed) {
   const auto gaps = findMissingMotion(followed(hall(), everywhere, 6.0));
   ASSERT_FALSE(gaps.empty());
-  EXPECT_EQ(gaps[0].missing, MissingMotion::Duration);
+  EXPECT_EQ(gaps[0].missingMotion, MissingMotion::Duration);
   EXPECT_EQ(motionGapText(gaps[0], hall()),
             "The ball was seen for only 6 s. Wave for half a minute.");
 }
@@ -77,8 +77,8 @@ TEST(MissingMotion, ALineIsNamed) {
     return Eigen::Vector3d(0.9 * std::sin(time), 0.02 * std::sin(3.0 * time), 1.0);
   }));
   ASSERT_FALSE(gaps.empty());
-  EXPECT_EQ(gaps[0].missing, MissingMotion::OffTheLine) << texts(gaps);
-  EXPECT_NEAR(gaps[0].value, 0.04, 0.01);
+  EXPECT_EQ(gaps[0].missingMotion, MissingMotion::OffTheLine) << texts(gaps);
+  EXPECT_NEAR(gaps[0].motionAmount, 0.04, 0.01);
 }
 
 // Whoever throws a ball from hand to hand moves it in a plane.
@@ -90,7 +90,7 @@ TEST(MissingMotion, APlaneIsNamedWithTheCameraThatLooksAcrossIt) {
                            1.0 + 0.5 * std::sin(1.7 * time));
   }));
   ASSERT_FALSE(gaps.empty());
-  EXPECT_EQ(gaps[0].missing, MissingMotion::OffThePlane) << texts(gaps);
+  EXPECT_EQ(gaps[0].missingMotion, MissingMotion::OffThePlane) << texts(gaps);
   EXPECT_EQ(gaps[0].cameras, std::vector<std::size_t>{2});
   EXPECT_EQ(motionGapText(gaps[0], cameras),
             "The ball moved only within a plane (6 cm thick). Also move it across this plane: "
@@ -103,8 +103,8 @@ TEST(MissingMotion, ASmallPartOfTheVolumeIsNamed) {
     return Eigen::Vector3d(0.3 * wide + Eigen::Vector3d(0.0, 0.0, 1.0));
   }));
   ASSERT_FALSE(gaps.empty());
-  EXPECT_EQ(gaps[0].missing, MissingMotion::WholeVolume) << texts(gaps);
-  EXPECT_LT(gaps[0].value, 0.02);
+  EXPECT_EQ(gaps[0].missingMotion, MissingMotion::WholeVolume) << texts(gaps);
+  EXPECT_LT(gaps[0].motionAmount, 0.02);
 }
 
 /// Two cameras side by side, which look along y.
@@ -121,8 +121,8 @@ TEST(MissingMotion, NoDepthIsNamed) {
                            1.0 + 0.7 * std::sin(1.7 * time));
   }));
   ASSERT_FALSE(gaps.empty());
-  EXPECT_EQ(gaps[0].missing, MissingMotion::InDepth) << texts(gaps);
-  EXPECT_NEAR(gaps[0].value, 0.25, 0.08); // 0.2, and what the cameras are turned inward
+  EXPECT_EQ(gaps[0].missingMotion, MissingMotion::InDepth) << texts(gaps);
+  EXPECT_NEAR(gaps[0].motionAmount, 0.25, 0.08); // 0.2, and what the cameras are turned inward
 }
 
 TEST(MissingMotion, TheMissingSideOfAnImageIsNamed) {
@@ -132,7 +132,7 @@ TEST(MissingMotion, TheMissingSideOfAnImageIsNamed) {
                                1.0 + 0.5 * std::sin(1.7 * time));
       }));
   ASSERT_FALSE(gaps.empty());
-  EXPECT_EQ(gaps[0].missing, MissingMotion::WholeImage) << texts(gaps);
+  EXPECT_EQ(gaps[0].missingMotion, MissingMotion::WholeImage) << texts(gaps);
   EXPECT_EQ(gaps[0].side, ImageSide::Left);
   EXPECT_NE(texts(gaps).find("Also move it to the left part of its image."), std::string::npos);
 }
@@ -143,9 +143,9 @@ TEST(MissingMotion, CamerasThatNeverSawItTogetherAreNamed) {
         return camera == 1 ? time < 15.0 : camera != 2 || time >= 14.7; // 5 frames in common
       }));
   ASSERT_EQ(gaps.size(), 1U) << texts(gaps);
-  EXPECT_EQ(gaps[0].missing, MissingMotion::SeenTogether);
+  EXPECT_EQ(gaps[0].missingMotion, MissingMotion::SeenTogether);
   EXPECT_EQ(gaps[0].cameras, (std::vector<std::size_t>{1, 2}));
-  EXPECT_LE(gaps[0].value, 5.0);
+  EXPECT_LE(gaps[0].motionAmount, 5.0);
 }
 
 TEST(MissingMotion, WithoutPositionsNothingIsSaid) {

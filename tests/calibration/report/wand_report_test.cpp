@@ -35,16 +35,16 @@ TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   WandProblem problem = simulated::wave(truth, 1, 0.2, 150);
   problem.initialRig = simulated::moved(truth, 0.05, 0.02, 1);
   problem.initialRig[1].name = "left & <right>";
-  problem.scale = WandScale::Stick;
+  problem.scaleMethod = WandScale::Stick;
   auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << errorSentence(result.error());
   // Copied: moving it is a false alarm of g++ 12 about the short text.
   const DetectedFault late{CalibrationFault::CameraDelayed, {1}, 12.0, 99.0, "camera 2 is late"};
   result->faults.push_back(late);
   WandReport report;
-  report.before = problem.initialRig;
+  report.initialRig = problem.initialRig;
   report.result = *result;
-  report.accuracy = "In this volume +-3.1 mm (95 %)";
+  report.accuracyText = "In this volume +-3.1 mm (95 %)";
   report.coverage.resize(3);
   report.hasTimeOffsets = true;
   report.notices = {"The ball moved only along one line."};
@@ -63,7 +63,7 @@ TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   EXPECT_EQ(count(html, "<svg"), count(html, "</svg>"));
   // A stick is a line of two points, in each of the two views once.
   const auto& states = result->bundle.states;
-  const auto sticks = std::ranges::count(states, true, &BundleState::isKnown);
+  const auto sticks = std::ranges::count(states, true, &BundleState::isPositionKnown);
   ASSERT_LT(states.size(), 300U); // none is left out of the drawing
   EXPECT_GT(sticks, 30);
   EXPECT_EQ(count(html, "<polyline class=\"board\""), 2U * std::size_t(sticks));

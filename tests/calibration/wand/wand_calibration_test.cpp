@@ -86,8 +86,8 @@ TEST(WandCalibration, AStickGivesTheRigBack) {
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << errorSentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 1e-5);
-  EXPECT_LT(result->medianPx, 1e-3);
-  EXPECT_EQ(result->scale, WandScale::Stick);
+  EXPECT_LT(result->medianResidualPx, 1e-3);
+  EXPECT_EQ(result->scaleMethod, WandScale::Stick);
   EXPECT_EQ(result->cameras[2].name, "camera 3");
   const auto again = calibrateFromWand(problem);
   ASSERT_TRUE(again);
@@ -103,7 +103,7 @@ TEST(WandCalibration, HalfAPixelOfNoiseIsMillimeters) {
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << errorSentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 2e-3);
-  EXPECT_NEAR(result->bundle.noiseFactor, 1.0, 0.1);
+  EXPECT_NEAR(result->bundle.residualToSigmaRatio, 1.0, 0.1);
 }
 
 TEST(WandCalibration, GrossErrorsAreDropped) {
@@ -127,7 +127,7 @@ TEST(WandCalibration, GrossErrorsAreDropped) {
   ASSERT_TRUE(result) << errorSentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 3e-3);
   std::size_t dropped = 0;
-  for (const std::size_t count : result->dropped) {
+  for (const std::size_t count : result->droppedViewCounts) {
     dropped += count;
   }
   EXPECT_GE(double(dropped), 0.8 * double(wrong));
@@ -143,8 +143,8 @@ TEST(WandCalibration, FindsOffsetsAndFocalLengths) {
     camera.intrinsics.focalX *= 0.98;
     camera.intrinsics.focalY *= 0.98;
   }
-  problem.estimateTimeOffsets = true;
-  problem.estimateFocalLengths = true;
+  problem.estimatesTimeOffsets = true;
+  problem.estimatesFocalLengths = true;
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << errorSentence(result.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
@@ -169,7 +169,7 @@ TEST(WandCalibration, CamerasThatRunFreelyAreRefined) {
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << errorSentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 5e-3);
-  problem.estimateTimeOffsets = true;
+  problem.estimatesTimeOffsets = true;
   const auto offset = calibrateFromWand(problem);
   ASSERT_TRUE(offset) << errorSentence(offset.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
@@ -184,7 +184,7 @@ TEST(WandCalibration, ClocksThatAreFarOffAreFound) {
   WandProblem problem = waveWand(rig, 1, 0.1, 300, offsets);
   problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
   const auto roughly = searchTimeOffsets(problem);
-  problem.estimateTimeOffsets = true;
+  problem.estimatesTimeOffsets = true;
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << errorSentence(result.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
@@ -209,7 +209,7 @@ TEST(WandCalibration, TheSizeComesFromADistanceOrTheDiameter) {
   const CameraRig rig = trueRig();
   WandProblem problem = waveWand(rig, 1, 0.05);
   problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
-  problem.scale = WandScale::Distance;
+  problem.scaleMethod = WandScale::Distance;
   problem.distance = {2.0, 8.0, 0.0};
   const auto mean = [](double time) { // of the places within a tenth of a second: three frames
     return ((wavedAt(time - 1.0 / 15.0, 0) + wavedAt(time, 0) + wavedAt(time + 1.0 / 15.0, 0)) /
@@ -221,7 +221,8 @@ TEST(WandCalibration, TheSizeComesFromADistanceOrTheDiameter) {
   ASSERT_TRUE(measured) << errorSentence(measured.error());
   EXPECT_LT(misplacement(measured->cameras, rig), 3e-3);
 
-  problem.scale = WandScale::Diameter; // exact radii here: only the noise of the places is left
+  problem.scaleMethod =
+      WandScale::Diameter; // exact radii here: only the noise of the places is left
   const auto sized = calibrateFromWand(problem);
   ASSERT_TRUE(sized) << errorSentence(sized.error());
   EXPECT_LT(misplacement(sized->cameras, rig), 3e-3);
@@ -244,13 +245,13 @@ TEST(WandCalibration, FloorAndFallSayWhereUpIs) {
   };
   WandProblem problem = waveWand(rig, 1, 0.05, 300, {0.0, 0.0, 0.0, 0.0}, path);
   problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
-  problem.scale = WandScale::Distance;
+  problem.scaleMethod = WandScale::Distance;
   problem.distance = {1.0, 3.0, std::sqrt(0.75)}; // of two corners of the triangle
   problem.floorTimes = {1.0, 3.0, 5.0};
-  problem.fallSpan = std::array<double, 2>{18.01, 18.5};
+  problem.freeFallSpan = std::array<double, 2>{18.01, 18.5};
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << errorSentence(result.error());
-  EXPECT_TRUE(result->floorFound);
+  EXPECT_TRUE(result->isFloorFound);
   for (std::size_t c = 0; c < rig.size(); ++c) {
     EXPECT_NEAR(result->cameras[c].center().z(), rig[c].center().z(), 5e-3);
   }

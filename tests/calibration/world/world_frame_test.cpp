@@ -46,7 +46,7 @@ TEST(WorldFrame, ThreePointsOfTheFloorSetOriginAxesAndUp) {
   const CameraRig rig = moved(askew(), corners());
   const auto floor = calibration::changeToFloor({askew() * a, askew() * b, askew() * c}, rig);
   ASSERT_TRUE(floor);
-  EXPECT_NEAR(floor->rms, 0.0, 1e-9);
+  EXPECT_NEAR(floor->rmsDistance, 0.0, 1e-9);
   EXPECT_EQ(floor->change.scale, 1.0);
   const Similarity whole = floor->change * askew();
   EXPECT_LT((whole * a).norm(), 1e-9);
@@ -62,7 +62,7 @@ TEST(WorldFrame, MoreThanThreePointsGiveTheFloorThatFitsAllOfThem) {
       {0.0, 0.0, 0.003}, {2.0, 0.0, -0.003}, {2.0, 2.0, 0.003}, {0.0, 2.0, -0.003}};
   const auto floor = calibration::changeToFloor(points, corners());
   ASSERT_TRUE(floor);
-  EXPECT_NEAR(floor->rms, 0.003, 1e-9);
+  EXPECT_NEAR(floor->rmsDistance, 0.003, 1e-9);
   EXPECT_LT(geometry::angleBetween(floor->change.rotation, Eigen::Matrix3d::Identity()), 1e-3);
 }
 
@@ -119,7 +119,7 @@ TEST(WorldFrame, QuarterTurnsAreExact) {
 }
 
 TEST(WorldFrame, AllCamerasMoveTogether) {
-  const Similarity change = calibration::movedBy({1.0, 0.0, -0.5}, std::numbers::pi / 2.0);
+  const Similarity change = calibration::rigidMotion({1.0, 0.0, -0.5}, std::numbers::pi / 2.0);
   EXPECT_LT((change * Eigen::Vector3d(2.0, 0.0, 1.0) - Eigen::Vector3d(1.0, 2.0, 0.5)).norm(),
             1e-12);
 }

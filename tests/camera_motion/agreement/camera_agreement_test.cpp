@@ -21,10 +21,11 @@ std::optional<CameraDisagreement> found(const CameraRig& declared, const Frames&
                                         std::int64_t count = kInTime,
                                         const std::vector<Target>& targets = {ball::target()}) {
   CameraAgreement agreement(declared);
-  for (std::int64_t k = 0; k < count && agreement.found().empty(); ++k) {
+  for (std::int64_t k = 0; k < count && agreement.disagreements().empty(); ++k) {
     agreement.watch(frames(k), targets);
   }
-  return agreement.found().empty() ? std::nullopt : std::optional(agreement.found().front());
+  return agreement.disagreements().empty() ? std::nullopt
+                                           : std::optional(agreement.disagreements().front());
 }
 
 class CameraAgreementOf : public testing::TestWithParam<int> {
@@ -74,9 +75,9 @@ TEST_P(CameraAgreementOf, ARotatedCameraIsNamedWithItsRotation) {
   ASSERT_TRUE(fault.has_value());
   EXPECT_EQ(fault->fault, CameraFault::Rotated);
   EXPECT_EQ(fault->cameras.back(), last_);
-  ASSERT_EQ(fault->turns.size(), fault->cameras.size());
+  ASSERT_EQ(fault->rotationCorrections.size(), fault->cameras.size());
   // What mends it takes the rotation back, as far as the images show it.
-  EXPECT_NEAR(-fault->turns.back().dot(turn) / angle, angle, 0.5 * kDegree);
+  EXPECT_NEAR(-fault->rotationCorrections.back().dot(turn) / angle, angle, 0.5 * kDegree);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rigs, CameraAgreementOf, testing::Values(2, 3, 4));
@@ -91,7 +92,7 @@ TEST(CameraAgreement, InchesAreTakenFromASizeThatIsKnown) {
   const auto fault = found(declared, frames);
   ASSERT_TRUE(fault.has_value());
   EXPECT_EQ(fault->fault, CameraFault::Unit);
-  EXPECT_DOUBLE_EQ(fault->scale, 0.0254);
+  EXPECT_DOUBLE_EQ(fault->metersPerUnit, 0.0254);
   Target unknown = ball::target();
   unknown.radius = 0.0;
   EXPECT_FALSE(found(declared, frames, kInTime, {unknown}).has_value());
@@ -134,9 +135,9 @@ TEST(CameraAgreement, WhatIsMendedIsTakenBack) {
       std::swap(set.frames[0], set.frames[1]); // plugged in again as they should be
     }
     agreement.watch(set, {ball::target()});
-    EXPECT_TRUE(k != kInTime || !agreement.found().empty());
+    EXPECT_TRUE(k != kInTime || !agreement.disagreements().empty());
   }
-  EXPECT_TRUE(agreement.found().empty());
+  EXPECT_TRUE(agreement.disagreements().empty());
 }
 
 TEST(CameraAgreement, ImagesOfThePastAndOtherTargetsAreNoFault) {
@@ -153,7 +154,7 @@ TEST(CameraAgreement, ImagesOfThePastAndOtherTargetsAreNoFault) {
   for (std::int64_t k = 60; k < 120; ++k) {
     agreement.watch(ball::framesAt(k, rig), {green});
   }
-  EXPECT_TRUE(agreement.found().empty());
+  EXPECT_TRUE(agreement.disagreements().empty());
 }
 
 } // namespace

@@ -14,7 +14,7 @@ TEST(DisagreementSentence, SaysWhatIsWrongAndWhatToDo) {
   EXPECT_EQ(
       describeDisagreement({.fault = CameraFault::Late, .cameras = {1}, .delay = 0.2}, rig),
       "the images of camera 2 are about 200 ms late; add 0.200 to its late_by in the project file");
-  EXPECT_EQ(describeDisagreement({.fault = CameraFault::Unit, .scale = 0.001}, rig),
+  EXPECT_EQ(describeDisagreement({.fault = CameraFault::Unit, .metersPerUnit = 0.001}, rig),
             "the calibration seems to be in units of 0.001 m; it must be in meters");
   EXPECT_EQ(describeDisagreement({.fault = CameraFault::Unknown, .cameras = {1}}, rig),
             "camera 2 does not agree with the other cameras; calibrate it again");

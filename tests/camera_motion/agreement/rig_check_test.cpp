@@ -22,14 +22,14 @@ TEST(RigCheck, CamerasKilometersApartAreInMillimeters) {
   const auto found = checkRig(desk(1000.0));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].fault, CameraFault::Unit);
-  EXPECT_DOUBLE_EQ(found[0].scale, 0.001);
+  EXPECT_DOUBLE_EQ(found[0].metersPerUnit, 0.001);
 }
 
 // 2.1 m in centimeters; in millimeters the cameras would be 21 cm apart.
 TEST(RigCheck, CamerasTwoHundredMetersApartAreInCentimeters) {
   const auto found = checkRig(desk(100.0));
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_DOUBLE_EQ(found[0].scale, 0.01);
+  EXPECT_DOUBLE_EQ(found[0].metersPerUnit, 0.01);
 }
 
 TEST(RigCheck, TwoCamerasOfOnePoseAreNamed) {

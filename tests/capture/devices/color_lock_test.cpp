@@ -37,16 +37,16 @@ TEST(ColorLock, SwitchesAutomaticsOffAtTheirPresentValues) {
 
 TEST(ColorLock, SaysWhatTheDeviceCannotDo) {
   auto controls = fakeControls();
-  controls[1].isStuck = true;                         // its white balance stays automatic
+  controls[1].isStuck = true;                              // its white balance stays automatic
   controls[4].menu = {{3, "Aperture Priority Mode"}}; // no manual exposure
-  controls.erase(controls.begin() + 2);               // no gain
+  controls.erase(controls.begin() + 2);                    // no gain
   const auto lock = lockColors(*accessTo(machineWith(controls)), kLockedPath);
   ASSERT_TRUE(lock) << errorSentence(lock.error());
   ASSERT_EQ(lock->refusals.size(), 2U);
-  EXPECT_EQ(lock->refusals[0].automatic, ColorAutomatic::Exposure);
-  EXPECT_EQ(lock->refusals[0].control, "auto_exposure");
+  EXPECT_EQ(lock->refusals[0].adjustment, ColorAutomatic::Exposure);
+  EXPECT_EQ(lock->refusals[0].controlName, "auto_exposure");
   EXPECT_NE(lock->refusals[0].reason.find("refused"), std::string::npos);
-  EXPECT_EQ(lock->refusals[1].control, "white_balance_automatic");
+  EXPECT_EQ(lock->refusals[1].controlName, "white_balance_automatic");
   EXPECT_EQ(lock->missingControls, std::vector<ColorAutomatic>{ColorAutomatic::Gain});
   EXPECT_EQ(lock->values, (ControlValues{{"brightness", 128}}));
 }

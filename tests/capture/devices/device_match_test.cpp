@@ -30,8 +30,8 @@ TEST(DeviceMatch, NumbersMayChange) {
                                           deviceOf("/dev/video2", kLeftTwin)};
   const std::array<DeviceIdentity, 2> cameras{kLeftTwin, kRightTwin};
   const auto matches = matchDevices(cameras, devices);
-  EXPECT_EQ(matches[0].device, 1U);
-  EXPECT_EQ(matches[1].device, 0U);
+  EXPECT_EQ(matches[0].deviceIndex, 1U);
+  EXPECT_EQ(matches[1].deviceIndex, 0U);
   EXPECT_EQ(matches[0].basis, MatchBasis::Bus);
   EXPECT_EQ(mismatchReason(matches[0], kLeftTwin, devices), "");
 }
@@ -43,8 +43,8 @@ TEST(DeviceMatch, TheSerialNumberBeatsTheConnector) {
                                             deviceOf("/dev/video2", pluggedAt(a, b.bus))};
   const std::array<DeviceIdentity, 2> cameras{a, b};
   const auto matches = matchDevices(cameras, exchanged);
-  EXPECT_EQ(matches[0].device, 1U);
-  EXPECT_EQ(matches[1].device, 0U);
+  EXPECT_EQ(matches[0].deviceIndex, 1U);
+  EXPECT_EQ(matches[1].deviceIndex, 0U);
   EXPECT_EQ(matches[0].basis, MatchBasis::Serial);
 }
 
@@ -54,8 +54,8 @@ TEST(DeviceMatch, EqualSerialNumbersProveNothing) {
   const std::vector<CameraDevice> devices{deviceOf("/dev/video0", b), deviceOf("/dev/video2", a)};
   const std::array<DeviceIdentity, 2> cameras{a, b};
   const auto matches = matchDevices(cameras, devices);
-  EXPECT_EQ(matches[0].device, 1U);
-  EXPECT_EQ(matches[1].device, 0U);
+  EXPECT_EQ(matches[0].deviceIndex, 1U);
+  EXPECT_EQ(matches[1].deviceIndex, 0U);
   EXPECT_EQ(matches[0].basis, MatchBasis::Bus);
 }
 
@@ -65,9 +65,9 @@ TEST(DeviceMatch, TheOnlyOneLeftWasMoved) {
       deviceOf("/dev/video2", kRightTwin)};
   const std::array<DeviceIdentity, 2> cameras{kLeftTwin, kRightTwin};
   const auto matches = matchDevices(cameras, devices);
-  EXPECT_EQ(matches[0].device, 0U);
+  EXPECT_EQ(matches[0].deviceIndex, 0U);
   EXPECT_EQ(matches[0].basis, MatchBasis::Name);
-  EXPECT_EQ(matches[1].device, 1U);
+  EXPECT_EQ(matches[1].deviceIndex, 1U);
 }
 
 TEST(DeviceMatch, MovedTwinsAreAmbiguous) {
@@ -77,9 +77,9 @@ TEST(DeviceMatch, MovedTwinsAreAmbiguous) {
   const std::array<DeviceIdentity, 2> cameras{kLeftTwin, kRightTwin};
   const auto matches = matchDevices(cameras, devices);
   for (const DeviceMatch& match : matches) {
-    EXPECT_FALSE(match.device);
+    EXPECT_FALSE(match.deviceIndex);
     EXPECT_TRUE(match.isAmbiguous());
-    EXPECT_EQ(match.candidates, (std::vector<std::size_t>{0, 1}));
+    EXPECT_EQ(match.candidateIndices, (std::vector<std::size_t>{0, 1}));
   }
   const std::string reason = mismatchReason(matches[0], kLeftTwin, devices);
   EXPECT_NE(reason.find("'Webcam' at /dev/video0, 'Webcam' at /dev/video2"), std::string::npos)
@@ -91,13 +91,13 @@ TEST(DeviceMatch, TwoCamerasDoNotShareADevice) {
       deviceOf("/dev/video0", pluggedAt(kLeftTwin, "usb-0:7:1.0"))};
   const std::array<DeviceIdentity, 2> cameras{kLeftTwin, kRightTwin};
   for (const DeviceMatch& match : matchDevices(cameras, devices)) {
-    EXPECT_FALSE(match.device);
-    EXPECT_EQ(match.candidates, std::vector<std::size_t>{0});
+    EXPECT_FALSE(match.deviceIndex);
+    EXPECT_EQ(match.candidateIndices, std::vector<std::size_t>{0});
   }
   const std::vector<CameraDevice> right{deviceOf("/dev/video0", kRightTwin)};
   const auto matches = matchDevices(cameras, right);
   EXPECT_TRUE(matches[0].isMissing());
-  EXPECT_EQ(matches[1].device, 0U);
+  EXPECT_EQ(matches[1].deviceIndex, 0U);
 }
 
 TEST(DeviceMatch, AnotherUnitOrModelIsNotTaken) {
@@ -105,8 +105,8 @@ TEST(DeviceMatch, AnotherUnitOrModelIsNotTaken) {
   DeviceIdentity otherUnit = wanted;
   otherUnit.serial = "B";
   const DeviceMatch unit = matchDevice(wanted, std::vector{deviceOf("/dev/video0", otherUnit)});
-  EXPECT_FALSE(unit.device);
-  EXPECT_EQ(unit.candidates, std::vector<std::size_t>{0}); // the user may have replaced it
+  EXPECT_FALSE(unit.deviceIndex);
+  EXPECT_EQ(unit.candidateIndices, std::vector<std::size_t>{0}); // the user may have replaced it
   DeviceIdentity otherModel = wanted;
   otherModel.vendorAndProductId = "1234:0001";
   const std::vector<CameraDevice> devices{deviceOf("/dev/video0", otherModel)};

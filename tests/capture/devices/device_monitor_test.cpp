@@ -101,7 +101,7 @@ TEST(DeviceMonitor, TriesUnusableDevicesAgain) {
 /// Devices whose driver does not answer until it is released.
 class StuckAccess final : public DeviceAccess {
 public:
-  std::vector<CameraDevice> list() override {
+  std::vector<CameraDevice> listDevices() override {
     asked = true;
     while (!released) {
       std::this_thread::sleep_for(1ms);
@@ -109,8 +109,10 @@ public:
     answered = true;
     return {CameraDevice{}};
   }
-  std::string signature() override { return "one"; }
-  Result<std::vector<DeviceControl>> controls(const std::string& /*path*/) override { return {}; }
+  std::string deviceListSignature() override { return "one"; }
+  Result<std::vector<DeviceControl>> readControls(const std::string& /*path*/) override {
+    return {};
+  }
   Status setControl(const std::string& /*path*/, const std::string& /*name*/,
                     std::int64_t /*value*/) override {
     return {};

@@ -56,7 +56,7 @@ protected:
   DeviceStreamTest() {
     plugAs("video0", "3");
     plugAs("video2", "4");
-    for (const CameraDevice& device : access_->list()) {
+    for (const CameraDevice& device : access_->listDevices()) {
       identities_.push_back(device.identity);
     }
   }
@@ -155,7 +155,7 @@ TEST_F(DeviceStreamTest, SetsControlsEachTimeItOpens) {
     EXPECT_EQ(machine_->valueOf("video2", V4L2_CID_GAIN), 7);
     ASSERT_TRUE(access_->setControl("/dev/video2", "gain", 64));
   }
-  EXPECT_EQ(stream->remark(),
+  EXPECT_EQ(stream->warning(),
             "controls were not set: zoom_absolute: the device has no such control");
   EXPECT_EQ(machine_->valueOf("video0", V4L2_CID_GAIN), 64);
 }
@@ -208,7 +208,7 @@ TEST_F(DeviceStreamTest, LeavesALocationWithoutIdentity) {
         return std::make_unique<RememberedStream>(found.location, opened_);
       });
   ASSERT_TRUE(stream->open());
-  EXPECT_EQ(stream->remark(), "");
+  EXPECT_EQ(stream->warning(), "");
   EXPECT_EQ(machine_->valueOf("video2", V4L2_CID_GAIN), 9);
 }
 

@@ -185,7 +185,7 @@ public:
     descriptors_.erase(descriptor);
     --opened_;
   }
-  int control(int descriptor, unsigned long request, void* argument) override {
+  int callIoctl(int descriptor, unsigned long request, void* argument) override {
     std::scoped_lock lock(mutex_);
     const auto node = nodes_.find(descriptors_.at(descriptor));
     return node == nodes_.end() ? -ENODEV : answer(node->second, request, argument);

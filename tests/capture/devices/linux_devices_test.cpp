@@ -28,15 +28,15 @@ TEST(LinuxDevices, ListsCamerasWithTheirFormats) {
   const auto machine = std::make_shared<FakeMachine>();
   plugWebcam(*machine, 10, "4", "B7");
   plugWebcam(*machine, 2, "3", "A5");
-  const auto devices = accessTo(machine)->list();
+  const auto devices = accessTo(machine)->listDevices();
   ASSERT_EQ(devices.size(), 2U); // without the nodes for metadata
   const CameraDevice& first = devices[0];
   EXPECT_EQ(first.path, "/dev/video2"); // by number, not by text
-  EXPECT_EQ(first.address, "/dev/v4l/by-id/usb-046d_Webcam_A5-video-index0");
+  EXPECT_EQ(first.stablePath, "/dev/v4l/by-id/usb-046d_Webcam_A5-video-index0");
   EXPECT_EQ(first.identity,
             (DeviceIdentity{"pci-0000:00:14.0-usb-0:3:1.0", "A5", "HD Webcam", "046d:0825"}));
   EXPECT_EQ(first.driver, "uvcvideo");
-  EXPECT_EQ(first.usb, (UsbLink{1, 480.0, 480.0}));
+  EXPECT_EQ(first.usbLink, (UsbLink{1, 480.0, 480.0}));
   EXPECT_EQ(first.problem, "");
   ASSERT_EQ(first.formats.size(), 2U);
   const OfferedFormat& mjpg = first.formats[0];
@@ -67,15 +67,15 @@ TEST(LinuxDevices, LeavesOutWhatIsNoCamera) {
   node.abilities = V4L2_CAP_VIDEO_CAPTURE;
   node.formats.clear();
   machine->plug(node);
-  EXPECT_TRUE(accessTo(machine)->list().empty());
+  EXPECT_TRUE(accessTo(machine)->listDevices().empty());
 }
 
 TEST(LinuxDevices, IsEmptyWithoutVideoDevices) {
   const test::TemporaryFolder nothing;
   LinuxDevices devices(nothing / "nowhere", std::make_shared<FakeMachine>());
-  EXPECT_TRUE(devices.list().empty());
-  EXPECT_EQ(devices.signature(), "");
-  EXPECT_EQ(devices.controls("/dev/video0").error().code, ErrorCode::DeviceUnavailable);
+  EXPECT_TRUE(devices.listDevices().empty());
+  EXPECT_EQ(devices.deviceListSignature(), "");
+  EXPECT_EQ(devices.readControls("/dev/video0").error().code, ErrorCode::DeviceUnavailable);
 }
 
 TEST(LinuxDevices, SaysWhyADeviceCannotBeUsed) {
@@ -86,7 +86,7 @@ TEST(LinuxDevices, SaysWhyADeviceCannotBeUsed) {
   node.name = "video1"; // its metadata, most likely
   node.index = 1;
   machine->plug(node);
-  const auto devices = accessTo(machine)->list();
+  const auto devices = accessTo(machine)->listDevices();
   ASSERT_EQ(devices.size(), 1U);
   EXPECT_NE(devices[0].problem.find("group 'video'"), std::string::npos) << devices[0].problem;
   EXPECT_EQ(devices[0].identity.name, "HD Webcam");
@@ -97,10 +97,10 @@ TEST(LinuxDevices, GivesEqualSerialNumbersTheirConnectors) {
   const auto machine = std::make_shared<FakeMachine>();
   plugWebcam(*machine, 0, "3", "SN0001");
   plugWebcam(*machine, 2, "4", "SN0001");
-  const auto devices = accessTo(machine)->list();
+  const auto devices = accessTo(machine)->listDevices();
   ASSERT_EQ(devices.size(), 2U);
-  EXPECT_EQ(devices[0].address, "/dev/v4l/by-path/pci-0000:00:14.0-usb-0:3:1.0-video-index0");
-  EXPECT_EQ(devices[1].address, "/dev/v4l/by-path/pci-0000:00:14.0-usb-0:4:1.0-video-index0");
+  EXPECT_EQ(devices[0].stablePath, "/dev/v4l/by-path/pci-0000:00:14.0-usb-0:3:1.0-video-index0");
+  EXPECT_EQ(devices[1].stablePath, "/dev/v4l/by-path/pci-0000:00:14.0-usb-0:4:1.0-video-index0");
 }
 
 TEST(LinuxDevices, TakesTheUsualSizesOfARange) {
@@ -115,7 +115,7 @@ TEST(LinuxDevices, TakesTheUsualSizesOfARange) {
     explicit RangedCalls(std::shared_ptr<FakeMachine> machine) : machine_(std::move(machine)) {}
     int open(const std::string& path) override { return machine_->open(path); }
     void close(int descriptor) override { machine_->close(descriptor); }
-    int control(int descriptor, unsigned long request, void* argument) override {
+    int callIoctl(int descriptor, unsigned long request, void* argument) override {
       if (request == VIDIOC_ENUM_FRAMESIZES) {
         auto& entry = *static_cast<v4l2_frmsizeenum*>(argument);
         entry.type = V4L2_FRMSIZE_TYPE_CONTINUOUS;
@@ -129,21 +129,21 @@ TEST(LinuxDevices, TakesTheUsualSizesOfARange) {
         entry.stepwise.max = {1, 1};
         return entry.index == 0 ? 0 : -EINVAL;
       }
-      return machine_->control(descriptor, request, argument);
+      return machine_->callIoctl(descriptor, request, argument);
     }
 
   private:
     std::shared_ptr<FakeMachine> machine_;
   };
   LinuxDevices devices(machine->root(), std::make_shared<RangedCalls>(machine));
-  const auto list = devices.list();
+  const auto list = devices.listDevices();
   ASSERT_EQ(list.size(), 1U);
   const OfferedFormat& format = list[0].formats.at(0);
   EXPECT_TRUE(format.hasOtherSizes);
   EXPECT_EQ(format.sizes.front().width, 1500);
   EXPECT_EQ(format.sizes.back().width, 48);
   const std::vector<double> rates{40.0, 30.0, 25.0, 20.0, 15.0, 10.0, 1.0};
-  EXPECT_EQ(format.sizes.front().rates, rates);
+  EXPECT_EQ(format.sizes.front().frameRates, rates);
   EXPECT_EQ(std::ranges::count(format.sizes, 1280, &OfferedSize::width), 2); // 720 and 960 rows
   EXPECT_TRUE(isOffered({"YUYV", 1000, 700, 0.0}, list[0].formats));
 }
@@ -152,21 +152,21 @@ TEST(LinuxDevices, SignatureChangesWithThePlug) {
   const auto machine = std::make_shared<FakeMachine>();
   const auto access = accessTo(machine);
   plugWebcam(*machine, 0, "3");
-  const std::string before = access->signature();
-  EXPECT_EQ(access->signature(), before);
+  const std::string before = access->deviceListSignature();
+  EXPECT_EQ(access->deviceListSignature(), before);
   EXPECT_EQ(machine->openCount(), 0);
   machine->unplug("video0");
-  const std::string without = access->signature();
+  const std::string without = access->deviceListSignature();
   EXPECT_NE(without, before);
   plugWebcam(*machine, 0, "4");
-  EXPECT_NE(access->signature(), without);
-  EXPECT_NE(access->signature(), before);
+  EXPECT_NE(access->deviceListSignature(), without);
+  EXPECT_NE(access->deviceListSignature(), before);
 }
 
 TEST(LinuxDevices, ListsControlsUnderTheirNames) {
   const auto machine = std::make_shared<FakeMachine>();
   plugWebcam(*machine, 0, "3");
-  const auto controls = accessTo(machine)->controls("/dev/video0");
+  const auto controls = accessTo(machine)->readControls("/dev/video0");
   ASSERT_TRUE(controls) << errorSentence(controls.error());
   std::vector<std::string> names;
   for (const DeviceControl& control : *controls) {
@@ -181,10 +181,10 @@ TEST(LinuxDevices, ListsControlsUnderTheirNames) {
   EXPECT_EQ(exposure.minimum, 3);
   EXPECT_EQ(exposure.maximum, 2047);
   EXPECT_EQ(exposure.value, 250);
-  EXPECT_TRUE(exposure.inactive); // the automatic is on
+  EXPECT_TRUE(exposure.isInactive); // the automatic is on
   EXPECT_EQ(controls->at(1).kind, ControlKind::Boolean);
   const std::vector<ControlMenuItem> menu{{1, "Manual Mode"}, {3, "Aperture Priority Mode"}};
-  EXPECT_EQ(controls->at(4).menu, menu); // only what the device has
+  EXPECT_EQ(controls->at(4).menuItems, menu); // only what the device has
 }
 
 TEST(LinuxDevices, SetsControls) {

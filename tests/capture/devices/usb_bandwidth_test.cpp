@@ -10,7 +10,7 @@ constexpr double kUsb2Bits = 480e6 * 0.8;
 
 CameraDevice webcamAt(int bus, double mbit = 480.0) {
   CameraDevice device;
-  device.usb = {bus, mbit, mbit};
+  device.usbLink = {bus, mbit, mbit};
   device.formats = {{"MJPG", "", true, {{1920, 1080, {30.0}}, {1280, 720, {30.0}}}, false},
                     {"YUYV",
                      "",
@@ -41,69 +41,73 @@ TEST(UsbBandwidth, CountsBits) {
 TEST(UsbBandwidth, OneRawCameraFitsWhereTwoDoNot) {
   const DeviceFormat vga{"YUYV", 640, 480, 30.0}; // 147 Mbit/s
   std::vector<BandwidthRequest> requests(2, {webcamAt(1), vga});
-  EXPECT_TRUE(bandwidthShortages(requests).empty());
+  EXPECT_TRUE(findBandwidthShortages(requests).empty());
   requests.push_back(requests.front());
-  const auto shortages = bandwidthShortages(requests);
+  const auto shortages = findBandwidthShortages(requests);
   ASSERT_EQ(shortages.size(), 1U);
-  EXPECT_EQ(shortages[0].bus, 1);
-  EXPECT_EQ(shortages[0].requests, (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(shortages[0].busNumber, 1);
+  EXPECT_EQ(shortages[0].requestIndices, (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_DOUBLE_EQ(shortages[0].neededBitsPerSecond, 3.0 * bitsPerSecond(vga));
   EXPECT_DOUBLE_EQ(shortages[0].availableBitsPerSecond, kUsb2Bits);
 }
 
 TEST(UsbBandwidth, ProposesCompressionAtTheSameSize) {
-  const auto shortages = bandwidthShortages(std::vector<BandwidthRequest>{{webcamAt(1), kRaw720}});
+  const auto shortages =
+      findBandwidthShortages(std::vector<BandwidthRequest>{{webcamAt(1), kRaw720}});
   ASSERT_EQ(shortages.size(), 1U); // 442 Mbit/s
   ASSERT_EQ(shortages[0].proposals.size(), 1U);
-  EXPECT_EQ(shortages[0].proposals[0].request, 0U);
+  EXPECT_EQ(shortages[0].proposals[0].requestIndex, 0U);
   EXPECT_EQ(shortages[0].proposals[0].format, (DeviceFormat{"MJPG", 1280, 720, 30.0}));
 }
 
 TEST(UsbBandwidth, ProposesALowerRateOrSizeWithoutCompression) {
-  const auto one = bandwidthShortages(std::vector<BandwidthRequest>{{rawAt(1), kRaw720}});
+  const auto one = findBandwidthShortages(std::vector<BandwidthRequest>{{rawAt(1), kRaw720}});
   ASSERT_EQ(one.size(), 1U);
   ASSERT_EQ(one[0].proposals.size(), 1U);
   EXPECT_EQ(one[0].proposals[0].format, (DeviceFormat{"YUYV", 1280, 720, 10.0}));
   // Together with others that need 147 Mbit/s each, one of them has to become lighter.
   const std::vector<BandwidthRequest> four(4, {rawAt(1), {"YUYV", 1280, 720, 10.0}});
-  const auto shortages = bandwidthShortages(four);
+  const auto shortages = findBandwidthShortages(four);
   ASSERT_EQ(shortages.size(), 1U);             // 4 x 147 Mbit/s
   EXPECT_TRUE(shortages[0].proposals.empty()); // nothing smaller is offered at 10 images/s or less
 }
 
 TEST(UsbBandwidth, ProposalsFit) {
   std::vector<BandwidthRequest> requests(4, {webcamAt(1), kRaw720});
-  const auto shortages = bandwidthShortages(requests);
+  const auto shortages = findBandwidthShortages(requests);
   ASSERT_EQ(shortages.size(), 1U);
   ASSERT_FALSE(shortages[0].proposals.empty());
   for (const BandwidthProposal& proposal : shortages[0].proposals) {
-    requests[proposal.request].format = proposal.format;
+    requests[proposal.requestIndex].format = proposal.format;
   }
-  EXPECT_TRUE(bandwidthShortages(requests).empty());
+  EXPECT_TRUE(findBandwidthShortages(requests).empty());
 }
 
 TEST(UsbBandwidth, EachBusCountsForItself) {
   EXPECT_TRUE(
-      bandwidthShortages(std::vector<BandwidthRequest>{{webcamAt(1), {"YUYV", 640, 480, 30.0}},
-                                                       {webcamAt(1), {"YUYV", 640, 480, 30.0}},
-                                                       {webcamAt(2), {"YUYV", 640, 480, 30.0}},
-                                                       {webcamAt(2), {"YUYV", 640, 480, 30.0}}})
+      findBandwidthShortages(std::vector<BandwidthRequest>{{webcamAt(1), {"YUYV", 640, 480, 30.0}},
+                                                           {webcamAt(1), {"YUYV", 640, 480, 30.0}},
+                                                           {webcamAt(2), {"YUYV", 640, 480, 30.0}},
+                                                           {webcamAt(2), {"YUYV", 640, 480, 30.0}}})
           .empty());
   // USB 3 carries nine of them.
   EXPECT_TRUE(
-      bandwidthShortages(std::vector<BandwidthRequest>(9, {webcamAt(2, 5000.0), kRaw720})).empty());
+      findBandwidthShortages(std::vector<BandwidthRequest>(9, {webcamAt(2, 5000.0), kRaw720}))
+          .empty());
   EXPECT_EQ(
-      bandwidthShortages(std::vector<BandwidthRequest>(10, {webcamAt(2, 5000.0), kRaw720})).size(),
+      findBandwidthShortages(std::vector<BandwidthRequest>(10, {webcamAt(2, 5000.0), kRaw720}))
+          .size(),
       1U);
   // Built in, not USB.
-  EXPECT_TRUE(bandwidthShortages(std::vector<BandwidthRequest>(3, {webcamAt(0), kRaw720})).empty());
+  EXPECT_TRUE(
+      findBandwidthShortages(std::vector<BandwidthRequest>(3, {webcamAt(0), kRaw720})).empty());
 }
 
 TEST(UsbBandwidth, ADevicesOwnConnectionMayBeTheSlowest) {
   CameraDevice slow = rawAt(1);
-  slow.usb.deviceMbitPerSecond = 12.0; // USB 1
+  slow.usbLink.deviceMbitPerSecond = 12.0; // USB 1
   const auto shortages =
-      bandwidthShortages(std::vector<BandwidthRequest>{{slow, {"YUYV", 640, 480, 30.0}}});
+      findBandwidthShortages(std::vector<BandwidthRequest>{{slow, {"YUYV", 640, 480, 30.0}}});
   ASSERT_EQ(shortages.size(), 1U);
   EXPECT_TRUE(shortages[0].proposals.empty());
 }

@@ -17,7 +17,7 @@ TEST(BufferClock, TakesGoodStamps) {
   BufferClock clock(TimeOrigin::Sender);
   for (int k = 0; k < 5; ++k) {
     const auto stamp = kBegin + k * 33ms;
-    const CaptureInstant captured = clock.next(stamp, stamp + 40ms);
+    const CaptureInstant captured = clock.nextCaptureInstant(stamp, stamp + 40ms);
     EXPECT_EQ(captured.time, stamp);
     EXPECT_EQ(captured.origin, TimeOrigin::Sender);
   }
@@ -28,7 +28,7 @@ TEST(BufferClock, ReplacesStampsThatCannotBeTrue) {
        std::vector<std::pair<std::optional<Clock::time_point>, const char*>>{
            {std::nullopt, "none"}, {kBegin + 1s, "of the future"}, {kBegin - 1min, "too old"}}) {
     BufferClock clock(TimeOrigin::Driver);
-    const CaptureInstant captured = clock.next(stamp, kBegin);
+    const CaptureInstant captured = clock.nextCaptureInstant(stamp, kBegin);
     EXPECT_EQ(captured.time, kBegin) << what;
     EXPECT_EQ(captured.origin, TimeOrigin::Arrival) << what;
   }
@@ -37,25 +37,25 @@ TEST(BufferClock, ReplacesStampsThatCannotBeTrue) {
 // As long as good ones came before, a replaced one is as late as they were.
 TEST(BufferClock, OneBadStampDoesNotMoveTheOthers) {
   BufferClock clock(TimeOrigin::Driver);
-  EXPECT_EQ(clock.next(kBegin, kBegin + 50ms).time, kBegin);
-  const CaptureInstant replaced = clock.next(std::nullopt, kBegin + 84ms);
+  EXPECT_EQ(clock.nextCaptureInstant(kBegin, kBegin + 50ms).time, kBegin);
+  const CaptureInstant replaced = clock.nextCaptureInstant(std::nullopt, kBegin + 84ms);
   EXPECT_EQ(replaced.time, kBegin + 34ms);
   EXPECT_EQ(replaced.origin, TimeOrigin::Arrival);
-  const CaptureInstant next = clock.next(kBegin + 66ms, kBegin + 116ms);
+  const CaptureInstant next = clock.nextCaptureInstant(kBegin + 66ms, kBegin + 116ms);
   EXPECT_EQ(next.time, kBegin + 66ms);
   EXPECT_EQ(next.origin, TimeOrigin::Driver);
 }
 
 TEST(BufferClock, TimesIncrease) {
   BufferClock clock(TimeOrigin::Driver);
-  const auto first = clock.next(kBegin, kBegin);
-  const auto repeated = clock.next(kBegin, kBegin); // a driver that repeats its stamp
+  const auto first = clock.nextCaptureInstant(kBegin, kBegin);
+  const auto repeated = clock.nextCaptureInstant(kBegin, kBegin); // a driver that repeats its stamp
   EXPECT_GT(repeated.time, first.time);
   EXPECT_EQ(repeated.origin, TimeOrigin::Arrival);
-  const auto backward = clock.next(kBegin - 10ms, kBegin + 5ms);
+  const auto backward = clock.nextCaptureInstant(kBegin - 10ms, kBegin + 5ms);
   EXPECT_GT(backward.time, repeated.time);
   // Slightly in the future, as clocks are rounded: never later than the arrival.
-  EXPECT_EQ(clock.next(kBegin + 1s + 5ms, kBegin + 1s).time, kBegin + 1s);
+  EXPECT_EQ(clock.nextCaptureInstant(kBegin + 1s + 5ms, kBegin + 1s).time, kBegin + 1s);
 }
 
 } // namespace

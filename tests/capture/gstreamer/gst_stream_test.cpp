@@ -292,7 +292,7 @@ TEST(GstStream, BadTimeStampsGiveTheTimeOfArrival) {
                          "gst:appsrc name=planted format=time is-live=true caps=video/x-raw,"
                          "format=BGR,width=64,height=48,framerate=100/1 ! appsink sync=false")),
                      nullptr);
-    ASSERT_TRUE(stream.prepare());
+    ASSERT_TRUE(stream.createPipeline());
     const PlantedSource source(stream.pipeline(), stampOf);
     ASSERT_TRUE(stream.open());
     const auto seen = imagesOf(stream, 20);

@@ -33,7 +33,7 @@ TEST(PipelineText, KnowsDevices) {
            {"/dev/v4l/by-path/pci-0:1.0-video-index0",
             "/dev/v4l/by-path/pci-0:1.0-video-index0"}}) {
     const PipelineText pipeline = pipelineAt(location);
-    EXPECT_EQ(pipeline.device, device);
+    EXPECT_EQ(pipeline.devicePath, device);
     EXPECT_TRUE(has(pipeline.text, "v4l2src device=\"" + device + "\"")) << pipeline.text;
     EXPECT_EQ(pipeline.origin, TimeOrigin::Driver);
     EXPECT_FALSE(pipeline.hasOwnSink);

@@ -36,7 +36,7 @@ EncodedImage imageNumber(int k, int keyInterval = 1, int width = 320) {
 }
 
 int numberOf(const EncodedImage& image) {
-  return static_cast<int>(image.captured.time.time_since_epoch() / kImageInterval);
+  return static_cast<int>(image.captureInstant.time.time_since_epoch() / kImageInterval);
 }
 
 class PreRollTest : public testing::Test {
@@ -51,8 +51,8 @@ TEST_F(PreRollTest, KeepsTheLastSeconds) {
   }
   EXPECT_EQ(numberOf(preRoll.images().front()), 89); // 1 s before the newest
   EXPECT_EQ(numberOf(preRoll.images().back()), 99);
-  EXPECT_EQ(preRoll.status().images, 11U);
-  EXPECT_DOUBLE_EQ(preRoll.status().seconds, 1.0);
+  EXPECT_EQ(preRoll.status().imageCount, 11U);
+  EXPECT_DOUBLE_EQ(preRoll.status().spanSeconds, 1.0);
   EXPECT_FALSE(preRoll.status().isShortened);
 }
 
@@ -71,11 +71,11 @@ TEST_F(PreRollTest, MemoryIsLimitedAndThatIsReported) {
   PreRoll preRoll({10s, 30 * kImageBytes});
   for (int k = 0; k < 64; ++k) {
     preRoll.add(imageNumber(k, 8));
-    EXPECT_LE(preRoll.status().bytes, 30 * kImageBytes);
+    EXPECT_LE(preRoll.status().byteCount, 30 * kImageBytes);
   }
   EXPECT_TRUE(preRoll.status().isShortened);
   EXPECT_EQ(numberOf(preRoll.images().front()) % 8, 0);
-  EXPECT_EQ(preRoll.status().bytes, preRoll.images().size() * kImageBytes);
+  EXPECT_EQ(preRoll.status().byteCount, preRoll.images().size() * kImageBytes);
   PreRoll tiny({10s, 3 * kImageBytes}); // not even one group fits
   for (int k = 0; k < 64; ++k) {
     tiny.add(imageNumber(k, 8));
@@ -129,21 +129,21 @@ TEST_F(PreRollTest, IsWrittenBeforeTheRestWithItsTimes) {
       }
     });
     const auto deadline = PreRollClock::now() + 20s;
-    while (feed->preRoll().images < 45 && PreRollClock::now() < deadline) {
+    while (feed->preRoll().imageCount < 45 && PreRollClock::now() < deadline) {
       std::this_thread::sleep_for(10ms);
     }
     const auto zero = feed->preRollBegin();
     ASSERT_TRUE(zero) << encoding;
     StreamRecording recording(feed, {folder / "left.mkv", folder / "left.csv"}, RawStorage::Jpeg,
                               *zero, "", PreRollClock::now());
-    while (recording.counts().images < 75 && PreRollClock::now() < deadline) {
+    while (recording.counts().imageCount < 75 && PreRollClock::now() < deadline) {
       std::this_thread::sleep_for(10ms);
     }
     recording.stop();
     const RecordedCounts counts = recording.counts();
     EXPECT_FALSE(counts.problem);
     EXPECT_GE(counts.preRollImageCount, 40) << encoding;
-    EXPECT_GE(counts.images, 75) << encoding;
+    EXPECT_GE(counts.imageCount, 75) << encoding;
     EXPECT_EQ(counts.droppedImageCount, 0) << encoding;
     EXPECT_NEAR(counts.framesPerSecond, 30.0, 0.3) << encoding; // no hole at the start
     cv::VideoCapture video(folder / "left.mkv", cv::CAP_FFMPEG);
@@ -151,7 +151,7 @@ TEST_F(PreRollTest, IsWrittenBeforeTheRestWithItsTimes) {
     while (video.grab()) {
       ++images;
     }
-    EXPECT_EQ(images, counts.images) << encoding;
+    EXPECT_EQ(images, counts.imageCount) << encoding;
   }
 }
 

@@ -28,18 +28,18 @@ void expectSamePixels(const std::string& location, RawStorage raw) {
                             StoredClock::now(), "");
   std::map<std::int64_t, cv::Mat> seen; // by stamp
   const auto deadline = StoredClock::now() + 20s;
-  while (recording.counts().images < 40 && StoredClock::now() < deadline && stream->grab()) {
+  while (recording.counts().imageCount < 40 && StoredClock::now() < deadline && stream->grab()) {
     const cv::Mat image = stream->retrieve();
     const auto captured = stream->captureTime();
     if (!image.empty() && captured) {
-      ASSERT_GE(captured->stamp, 0) << location;
-      seen[captured->stamp] = image;
+      ASSERT_GE(captured->imageId, 0) << location;
+      seen[captured->imageId] = image;
     }
   }
   recording.stop();
-  EXPECT_FALSE(recording.counts().arePixelsChanged) << location;
-  const std::vector<std::int64_t> stamps = recording.stamps();
-  ASSERT_EQ(std::ssize(stamps), recording.counts().images) << location;
+  EXPECT_FALSE(recording.counts().hasChangedPixels) << location;
+  const std::vector<std::int64_t> stamps = recording.imageStamps();
+  ASSERT_EQ(std::ssize(stamps), recording.counts().imageCount) << location;
   auto stored = StoredStream::open(folder / "left.mkv", "camera 'left'");
   ASSERT_TRUE(stored) << errorSentence(stored.error());
   int compared = 0;
@@ -80,10 +80,10 @@ TEST(StoredStream, RawImagesStoredAsJpegAreReportedAsChanged) {
   StreamRecording recording(feed, {folder / "left.mkv", folder / "left.csv"}, RawStorage::Jpeg,
                             StoredClock::now(), "");
   const auto deadline = StoredClock::now() + 20s;
-  while (recording.counts().images < 3 && StoredClock::now() < deadline && stream->grab()) {
+  while (recording.counts().imageCount < 3 && StoredClock::now() < deadline && stream->grab()) {
   }
   recording.stop();
-  EXPECT_TRUE(recording.counts().arePixelsChanged);
+  EXPECT_TRUE(recording.counts().hasChangedPixels);
 }
 
 TEST(StoredStream, AFileThatIsNotThereIsNamed) {

@@ -65,7 +65,7 @@ bool waitUntil(const std::function<bool()>& holds) {
 }
 
 RecordedCounts waitForImages(const StreamRecording& recording, std::int64_t count) {
-  waitUntil([&] { return recording.counts().images >= count; });
+  waitUntil([&] { return recording.counts().imageCount >= count; });
   return recording.counts();
 }
 
@@ -77,7 +77,7 @@ RecordedCamera recordedIn(const test::TemporaryFolder& folder) {
   RecordedCamera camera;
   camera.name = "left";
   camera.path = folder / "left.mkv";
-  camera.times = folder / "left.csv";
+  camera.timesFile = folder / "left.csv";
   return camera;
 }
 
@@ -118,19 +118,19 @@ TEST(StreamRecording, OpensAsARecordingWithItsTimes) {
     EXPECT_LT(RecordingClock::now() - begin, 1s);
     const RecordedCounts counts = recording.counts();
     EXPECT_FALSE(counts.problem) << errorSentence(*counts.problem);
-    EXPECT_GE(counts.images, 40) << encoding;
+    EXPECT_GE(counts.imageCount, 40) << encoding;
     EXPECT_EQ(counts.droppedImageCount, 0) << encoding;
     EXPECT_NEAR(counts.framesPerSecond, 30.0, 0.1);
     EXPECT_EQ(counts.origin, TimeOrigin::Driver);
-    EXPECT_GT(counts.bytes, 1000);
-    EXPECT_EQ(countedImages(folder / "left.mkv"), counts.images) << encoding;
+    EXPECT_GT(counts.byteCount, 1000);
+    EXPECT_EQ(countedImages(folder / "left.mkv"), counts.imageCount) << encoding;
     EXPECT_EQ(completenessOf(folder / "left.csv"), TableCompleteness::Complete);
 
     auto source = openRecording({recordedIn(folder)}, 0);
     ASSERT_TRUE(source) << errorSentence(source.error());
     EXPECT_NEAR((*source)->framesPerSecond(), 30.0, 0.1);
-    EXPECT_EQ((*source)->frameCount(), counts.images);
-    for (std::int64_t k = 0; k < counts.images; ++k) {
+    EXPECT_EQ((*source)->frameCount(), counts.imageCount);
+    for (std::int64_t k = 0; k < counts.imageCount; ++k) {
       const auto set = (*source)->next();
       ASSERT_TRUE(set) << errorSentence(set.error());
       ASSERT_TRUE(*set && (*set)->frames[0]) << k;
@@ -159,7 +159,7 @@ TEST(StreamRecording, EncodedImagesStayAsTheyAre) {
   recording.stop();
   cv::VideoCapture packets(folder / "left.mkv", cv::CAP_FFMPEG, {cv::CAP_PROP_FORMAT, -1});
   cv::Mat bytes;
-  std::size_t k = sent.size() - static_cast<std::size_t>(recording.counts().images);
+  std::size_t k = sent.size() - static_cast<std::size_t>(recording.counts().imageCount);
   for (; packets.read(bytes); ++k) {
     ASSERT_LT(k, sent.size());
     ASSERT_EQ(bytes.total(), sent[k].size());
@@ -174,7 +174,7 @@ TEST(StreamRecording, RawImagesReadBackWithTheirColors) {
     ReadCamera camera("gst:videotestsrc is-live=true pattern=smpte ! "
                       "video/x-raw,format=YUY2,width=320,height=240,framerate=30/1");
     StreamRecording recording(camera.feed, filesIn(folder), raw, RecordingClock::now(), "");
-    EXPECT_GE(waitForImages(recording, 5).images, 5);
+    EXPECT_GE(waitForImages(recording, 5).imageCount, 5);
     recording.stop();
     cv::VideoCapture video(folder / "left.mkv", cv::CAP_FFMPEG);
     cv::Mat image;
@@ -186,7 +186,7 @@ TEST(StreamRecording, RawImagesReadBackWithTheirColors) {
       EXPECT_LT(cv::norm(difference), 5.0) << bar << ": " << difference; // converters round
     }
     if (raw == RawStorage::Lossless) {
-      EXPECT_EQ(recording.counts().bytes / recording.counts().images / (320 * 240 * 2), 1);
+      EXPECT_EQ(recording.counts().byteCount / recording.counts().imageCount / (320 * 240 * 2), 1);
     }
   }
 }
@@ -205,9 +205,9 @@ TEST(StreamRecording, LosslessImagesKeepEachColor) {
     feed->put({std::shared_ptr<GstSample>(sampleOf(image), gst_sample_unref),
                {RecordingClock::now(), TimeOrigin::Arrival}});
   }
-  EXPECT_EQ(waitForImages(recording, 5).images, 5);
+  EXPECT_EQ(waitForImages(recording, 5).imageCount, 5);
   recording.stop();
-  EXPECT_FALSE(recording.counts().arePixelsChanged);
+  EXPECT_FALSE(recording.counts().hasChangedPixels);
   cv::VideoCapture video(folder / "left.mkv", cv::CAP_FFMPEG);
   for (const cv::Mat& image : sent) {
     cv::Mat read;
@@ -245,7 +245,7 @@ TEST(StreamRecording, ATableThatWasCutOffMatchesItsVideo) {
                             "");
   waitForImages(recording, 20);
   recording.stop();
-  const std::int64_t images = recording.counts().images;
+  const std::int64_t images = recording.counts().imageCount;
   cutTable(folder / "left.csv", 4, "99,0.1"); // also in the middle of a line
   EXPECT_EQ(completenessOf(folder / "left.csv"), TableCompleteness::CutOff);
   const auto fewerTimes = openRecording({recordedIn(folder)}, 0);
@@ -289,8 +289,8 @@ TEST(StreamRecording, StartsAndStopsWhileTheCameraRuns) {
                               "");
     waitForImages(recording, 8); // it waits for a key frame
     recording.stop();
-    EXPECT_EQ(countedImages(folder / "left.mkv"), recording.counts().images);
-    EXPECT_GE(recording.counts().images, 8);
+    EXPECT_EQ(countedImages(folder / "left.mkv"), recording.counts().imageCount);
+    EXPECT_GE(recording.counts().imageCount, 8);
   }
 }
 
@@ -313,11 +313,11 @@ TEST(StreamRecording, AChangedFormatIsReportedAndKeepsTheFile) {
   ASSERT_TRUE(before.problem);
   EXPECT_NE(before.problem->detail.find("320 x 240"), std::string::npos);
   EXPECT_GT(before.droppedImageCount, 0);
-  waitForImages(recording, before.images + 5);
+  waitForImages(recording, before.imageCount + 5);
   small.feed->disconnect();
   recording.stop();
-  EXPECT_GE(recording.counts().images, before.images + 5);
-  EXPECT_EQ(countedImages(folder / "left.mkv"), recording.counts().images);
+  EXPECT_GE(recording.counts().imageCount, before.imageCount + 5);
+  EXPECT_EQ(countedImages(folder / "left.mkv"), recording.counts().imageCount);
 }
 
 } // namespace

@@ -57,13 +57,13 @@ TEST(ColorLikelihood, StepsAreRoundedAndBounded) {
   logRatios[colorCell(80, 80, 80)] = 100.0;
   logRatios[colorCell(88, 80, 80)] = -100.0;
   const ColorLikelihood table(logRatios);
-  EXPECT_EQ(table.at(0, 0, 0), 0);
-  EXPECT_EQ(table.at(8, 0, 0), 16);
-  EXPECT_EQ(table.at(15, 7, 7), 16); // the same cell
-  EXPECT_EQ(table.at(0, 8, 0), -1);
-  EXPECT_EQ(table.at(0, 0, 8), 0);
-  EXPECT_EQ(table.at(80, 80, 80), 72);
-  EXPECT_EQ(table.at(88, 80, 80), -72);
+  EXPECT_EQ(table.logRatioSteps(0, 0, 0), 0);
+  EXPECT_EQ(table.logRatioSteps(8, 0, 0), 16);
+  EXPECT_EQ(table.logRatioSteps(15, 7, 7), 16); // the same cell
+  EXPECT_EQ(table.logRatioSteps(0, 8, 0), -1);
+  EXPECT_EQ(table.logRatioSteps(0, 0, 8), 0);
+  EXPECT_EQ(table.logRatioSteps(80, 80, 80), 72);
+  EXPECT_EQ(table.logRatioSteps(88, 80, 80), -72);
   EXPECT_EQ(table.logRatio(8, 0, 0), 1.0);
   EXPECT_EQ(table.logRatio(80, 80, 80), 4.5);
 }
@@ -95,12 +95,13 @@ TEST(ColorLikelihood, RowsAreTheSameForEveryInstructionSetAndLength) {
         for (const int count : {0, 1, 2, 31, 33, 127, 128, 129, 255, 256, 400, 401, 1023, 1100}) {
           std::vector<std::int8_t> out(static_cast<std::size_t>(count) + 1, 7);
           std::vector<std::uint8_t> match(static_cast<std::size_t>(count) + 1, 7);
-          table.logRatioRow(pixels.data(), count, out.data());
+          table.computeLogRatioRow(pixels.data(), count, out.data());
           table.matchRow(pixels.data(), count, match.data());
           ASSERT_EQ(out.back(), 7);
           ASSERT_EQ(match.back(), 7);
           for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-            const auto alone = table.at(pixels[3 * i], pixels[3 * i + 1], pixels[3 * i + 2]);
+            const auto alone =
+                table.logRatioSteps(pixels[3 * i], pixels[3 * i + 1], pixels[3 * i + 2]);
             ASSERT_EQ(out[i], alone) << i << " of " << count;
             ASSERT_EQ(match[i], alone > 0 ? 255 : 0) << i << " of " << count;
           }

@@ -39,10 +39,10 @@ TEST(OtherCameraLikelihood, LeavesARegionOutOfItsOwnRest) {
   region(square).setTo(255);
   const color::OtherCameraLikelihood likelihood({kRed});
   EXPECT_LT(nats(likelihood.likelihoodForImage(image, everywhere(image)), kRed), 0.0);
-  EXPECT_GT(likelihood.meanLogRatio(image, everywhere(image), region), 2.0);
-  EXPECT_EQ(
-      likelihood.meanLogRatio(image, everywhere(image), cv::Mat::zeros(image.size(), CV_8UC1)),
-      0.0);
+  EXPECT_GT(likelihood.meanLogLikelihoodRatio(image, everywhere(image), region), 2.0);
+  EXPECT_EQ(likelihood.meanLogLikelihoodRatio(image, everywhere(image),
+                                              cv::Mat::zeros(image.size(), CV_8UC1)),
+            0.0);
 }
 
 // A red thing where the target cannot be makes red five times rarer than one where it can.

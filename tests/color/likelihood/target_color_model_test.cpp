@@ -34,7 +34,7 @@ ColorLikelihood tableOf(const std::vector<WeightedHsiColor>& target,
 }
 
 int at(const ColorLikelihood& table, const BgrColor& color) {
-  return table.at(color[0], color[1], color[2]);
+  return table.logRatioSteps(color[0], color[1], color[2]);
 }
 
 // Without evidence the range decides: 1 nat, 16 steps, for what lies in it, as much against what
@@ -236,16 +236,16 @@ TEST(TargetColorModel, ABrightCameraCutsColorsOff) {
 
 TEST(TargetColorModel, LearnsFromTheEvidenceOfSamples) {
   ColorEvidence evidence;
-  EXPECT_EQ(pixelRatio(evidence), 1.0);
+  EXPECT_EQ(restPixelsPerTargetPixel(evidence), 1.0);
   EXPECT_TRUE(learnLikelihood(evidence, kNarrowRedRange) == tableOf({}, {}, kNarrowRedRange));
-  evidence.target = {pixelsOf(kRed, 100.0)};
+  evidence.targetColors = {pixelsOf(kRed, 100.0)};
   evidence.targetWeight = 100.0;
-  EXPECT_EQ(pixelRatio(evidence), 1.0);
-  evidence.rest = {pixelsOf(kGray, 1200.0)};
+  EXPECT_EQ(restPixelsPerTargetPixel(evidence), 1.0);
+  evidence.restColors = {pixelsOf(kGray, 1200.0)};
   evidence.restWeight = 1200.0;
-  EXPECT_EQ(pixelRatio(evidence), 12.0);
+  EXPECT_EQ(restPixelsPerTargetPixel(evidence), 12.0);
   EXPECT_TRUE(learnLikelihood(evidence, kNarrowRedRange, 12.0) ==
-              tableOf(evidence.target, evidence.rest, kNarrowRedRange, 12.0));
+              tableOf(evidence.targetColors, evidence.restColors, kNarrowRedRange, 12.0));
 }
 
 } // namespace

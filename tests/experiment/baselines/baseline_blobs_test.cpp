@@ -16,11 +16,11 @@ TEST(FindBlobs, GivesCentersOfMassLargestFirst) {
   mask(cv::Rect(50, 30, 3, 1)) = 255; // three pixels: noise
   const auto blobs = findBlobs(mask);
   ASSERT_EQ(blobs.size(), 2U);
-  EXPECT_EQ(blobs[0].area, 12);
+  EXPECT_EQ(blobs[0].areaPx, 12);
   EXPECT_EQ(blobs[0].box, cv::Rect(30, 5, 4, 3));
   EXPECT_NEAR(blobs[0].radiusPx(), 1.954, 5e-4) << "sqrt(12 / pi)";
   EXPECT_LT((blobs[0].center - Eigen::Vector2d(31.5, 6.0)).norm(), 1e-12);
-  EXPECT_EQ(blobs[1].area, 4);
+  EXPECT_EQ(blobs[1].areaPx, 4);
   EXPECT_LT((blobs[1].center - Eigen::Vector2d(10.5, 20.5)).norm(), 1e-12);
 }
 

@@ -93,11 +93,11 @@ TEST(Baselines, FollowOneBall) {
   const ScenarioRun run = threeCameraRun(1);
   for (const std::string method : {"triangulation", "triangulation-kalman", "camshift"}) {
     const auto tracker = make(method, run);
-    EXPECT_FALSE(sphereOf(*tracker).valid);
+    EXPECT_FALSE(sphereOf(*tracker).isValid);
     for (int k = 0; k < 20; ++k) {
       const Eigen::Vector3d ball(0.005 * k, 0.02, 0.003 * k);
       const SphereEstimate estimate = step(*tracker, picture(run.rig, k, {ball})).front();
-      EXPECT_TRUE(estimate.valid) << method << " at " << k;
+      EXPECT_TRUE(estimate.isValid) << method << " at " << k;
       EXPECT_EQ(estimate.seeingCameraCount, 3);
       // The filter needs some frames to learn the speed.
       if (method != "triangulation-kalman" || k >= 5) {
@@ -112,10 +112,10 @@ TEST(Baselines, NeedTwoCameras) {
   const ScenarioRun run = threeCameraRun(1);
   const auto tracker = make("triangulation", run);
   const Eigen::Vector3d ball(0.01, 0.02, 0.03);
-  EXPECT_TRUE(step(*tracker, picture(run.rig, 0, {ball}, {0})).front().valid);
-  EXPECT_FALSE(step(*tracker, picture(run.rig, 1, {ball}, {0, 1})).front().valid);
-  EXPECT_FALSE(step(*tracker, picture(run.rig, 2, {})).front().valid);
-  EXPECT_TRUE(step(*tracker, picture(run.rig, 3, {ball})).front().valid);
+  EXPECT_TRUE(step(*tracker, picture(run.rig, 0, {ball}, {0})).front().isValid);
+  EXPECT_FALSE(step(*tracker, picture(run.rig, 1, {ball}, {0, 1})).front().isValid);
+  EXPECT_FALSE(step(*tracker, picture(run.rig, 2, {})).front().isValid);
+  EXPECT_TRUE(step(*tracker, picture(run.rig, 3, {ball})).front().isValid);
 }
 
 TEST(Baselines, TheKalmanFilterBridgesAGap) {
@@ -127,13 +127,13 @@ TEST(Baselines, TheKalmanFilterBridgesAGap) {
   }
   for (int k = 20; k < 25; ++k) {
     const auto estimate = step(*tracker, picture(run.rig, k, {})).front();
-    EXPECT_TRUE(estimate.valid);
+    EXPECT_TRUE(estimate.isValid);
     EXPECT_LT((estimate.mean - ball(k)).norm(), 0.005); // about 1 % of the speed per frame
   }
   for (int k = 25; k < 40; ++k) {
     step(*tracker, picture(run.rig, k, {}));
   }
-  EXPECT_FALSE(sphereOf(*tracker).valid) << "0.67 s without a measurement";
+  EXPECT_FALSE(sphereOf(*tracker).isValid) << "0.67 s without a measurement";
 }
 
 TEST(Baselines, CamShiftStartsAnewWhenTheBallJumps) {
@@ -142,7 +142,7 @@ TEST(Baselines, CamShiftStartsAnewWhenTheBallJumps) {
   step(*tracker, picture(run.rig, 0, {{0.0, 0.0, 0.0}}));
   const Eigen::Vector3d there(0.15, -0.1, 0.1);
   const auto estimate = step(*tracker, picture(run.rig, 1, {there})).front();
-  EXPECT_TRUE(estimate.valid);
+  EXPECT_TRUE(estimate.isValid);
   EXPECT_LT((estimate.mean - there).norm(), kCamShiftBound);
 }
 
@@ -202,7 +202,7 @@ TEST(Baselines, TheGateKeepsTheKalmanFilterFromAnotherBall) {
     const auto jumped = step(*plain, picture(run.rig, k, {other})).front();
     EXPECT_LT((jumped.mean - other).norm(), kBound);
     const auto kept = step(*filtered, picture(run.rig, k, {other})).front();
-    EXPECT_TRUE(kept.valid);
+    EXPECT_TRUE(kept.isValid);
     EXPECT_LT((kept.mean - ball).norm(), 0.01);
   }
   const auto back = step(*filtered, picture(run.rig, 17, {ball, other})).front();
@@ -218,7 +218,7 @@ TEST(Baselines, CsrtFollowsTheBoxOfTheFirstBlob) {
   for (int k = 0; k < 4; ++k) {
     const Eigen::Vector3d ball(0.005 * k, 0.02, 0.003 * k);
     const auto estimate = step(*tracker, picture(run.rig, k, {ball})).front();
-    ASSERT_TRUE(estimate.valid) << k;
+    ASSERT_TRUE(estimate.isValid) << k;
     EXPECT_EQ(estimate.seeingCameraCount, 2);
     EXPECT_LT((estimate.mean - ball).norm(), 0.02) << k;
   }

@@ -31,7 +31,7 @@ Blob blobOf(const Camera& camera, const Eigen::Vector3d& ball, double factor = 1
   const double radiusPx = factor * SphereProjector(camera).project(ball, kTargetRadius)->radius;
   Blob blob;
   blob.center = *Projector(camera).project(ball) + moved;
-  blob.area = static_cast<int>(std::lround(std::numbers::pi * radiusPx * radiusPx));
+  blob.areaPx = static_cast<int>(std::lround(std::numbers::pi * radiusPx * radiusPx));
   return blob;
 }
 
@@ -60,7 +60,7 @@ TEST(BlobPairing, PairsBlobsWhoseRaysMeet) {
   const CameraRig rig = twoOfThreeCameras();
   const Eigen::Vector3d low(0.05, 0.02, -0.05);
   const Eigen::Vector3d high(-0.03, 0.04, 0.05);
-  const auto pairs = BlobPairing(rig).pair(seen(rig, {low, high}), kTargetRadius, 1);
+  const auto pairs = BlobPairing(rig).pairBlobs(seen(rig, {low, high}), kTargetRadius, 1);
   ASSERT_EQ(pairs.size(), 2U);
   EXPECT_LT((pairs[0].point.position - low).norm(), 1e-9);
   EXPECT_LT((pairs[1].point.position - high).norm(), 1e-9);
@@ -72,7 +72,7 @@ TEST(BlobPairing, JoinsFurtherCamerasAndMissesThoseThatShouldSeeIt) {
   const Eigen::Vector3d ball(0.01, 0.02, 0.03);
   auto cameras = seen(rig, {ball});
   const auto cheapest = [&] {
-    const auto pairs = BlobPairing(rig).pair(cameras, kTargetRadius, 1);
+    const auto pairs = BlobPairing(rig).pairBlobs(cameras, kTargetRadius, 1);
     return *std::ranges::min_element(pairs, {}, &PairedBlobs::cost);
   };
   EXPECT_EQ(cheapest().point.bearings.size(), 3U);
@@ -92,7 +92,7 @@ TEST(BlobPairing, TheKnownSizeCountsInEachCamera) {
     for (const Camera& camera : rig) {
       cameras.push_back({true, {blobOf(camera, {0, 0, 0}, factor)}});
     }
-    return BlobPairing(rig).pair(cameras, kTargetRadius, 1);
+    return BlobPairing(rig).pairBlobs(cameras, kTargetRadius, 1);
   };
   ASSERT_EQ(pairsAt(1.5).size(), 1U);
   EXPECT_NEAR(pairsAt(1.5).front().cost, 8.220, 0.01);
@@ -107,7 +107,7 @@ TEST(BlobPairing, AnUnknownSizeMustBeTheSameInAllCameras) {
   // 2 (0.2027 / 0.2)² = 2.055. 4.5 times: each is off by more than 2.
   const CameraRig rig = twoOfThreeCameras();
   const auto pairsAt = [&](double factor) {
-    return BlobPairing(rig).pair(
+    return BlobPairing(rig).pairBlobs(
         {{true, {blobOf(rig[0], {0, 0, 0}, factor)}}, {true, {blobOf(rig[1], {0, 0, 0})}}}, 0.0, 1);
   };
   EXPECT_NEAR(pairsAt(1.0).front().cost, 0.0, 1e-3);
@@ -120,9 +120,9 @@ TEST(BlobPairing, LargeBlobsMayMissEachOtherByMore) {
   // cameras are 20 for each: 0.8 of what is allowed, 4 * 0.8² = 2.56. A blob of 2 px: 4 px allowed.
   const CameraRig rig = twoOfThreeCameras();
   const auto pairsAt = [&](double height, double factor) {
-    return BlobPairing(rig).pair({{true, {blobOf(rig[0], {0, 0, 0}, factor, {0.0, height})}},
-                                  {true, {blobOf(rig[1], {0, 0, 0}, factor)}}},
-                                 0.0, 1);
+    return BlobPairing(rig).pairBlobs({{true, {blobOf(rig[0], {0, 0, 0}, factor, {0.0, height})}},
+                                       {true, {blobOf(rig[1], {0, 0, 0}, factor)}}},
+                                      0.0, 1);
   };
   ASSERT_EQ(pairsAt(40.0, 1.0).size(), 1U);
   EXPECT_NEAR(pairsAt(40.0, 1.0).front().cost, 2.56, 0.03);

@@ -64,7 +64,7 @@ TEST(BoxFollower, OursStateHowSureTheyAreAndOpenCvsDoNot) {
   worstErrorOf(**ours);
   ASSERT_TRUE((*ours)->confidence());
   EXPECT_GT((*ours)->confidence()->similarity, 0.5);
-  EXPECT_TRUE((*ours)->confidence()->visible);
+  EXPECT_TRUE((*ours)->confidence()->isVisible);
   for (const std::string& name : openCvFollowerNames()) {
     const auto peer = makeOpenCvFollower(name);
     ASSERT_NE(peer, nullptr) << name;
@@ -92,7 +92,7 @@ TEST(BoxFollower, AnUnknownNameIsNotFound) {
 TEST(BoxClips, ASimulatedClipHasItsBallInEachBox) {
   const BoxClip clip = simulatedBoxClip(41);
   ASSERT_EQ(clip.truth.size(), 300U);
-  EXPECT_TRUE(clip.exactBoxes);
+  EXPECT_TRUE(clip.hasExactBoxes);
   for (const std::int64_t frame : {0, 100, 299}) {
     const auto image = clip.image(frame);
     ASSERT_TRUE(image);

@@ -41,7 +41,8 @@ TEST(CalibratedClip, LearnsTheColorOfTheClick) {
   ASSERT_TRUE(run) << errorSentence(run.error());
   ASSERT_EQ(run->targets.size(), 1U);
   ASSERT_EQ(run->targets[0].samples.size(), 2U); // what was clicked, and what was found
-  EXPECT_TRUE(!run->targets[0].samples[0].found && run->targets[0].samples[1].found);
+  EXPECT_TRUE(!run->targets[0].samples[0].isFoundByGeometry &&
+              run->targets[0].samples[1].isFoundByGeometry);
   const ColorClassifier classifier(run->targets[0].color);
   const cv::Mat mask = matchImage(run->frames(0)->frames[1]->image, classifier);
   EXPECT_NE(mask.at<std::uint8_t>(64, 54), 0) << "the disk in the other camera";
@@ -70,7 +71,7 @@ TEST(CalibratedClip, RefusesFilesThatDoNotFit) {
   clip = test::makeSmallClip(folder);
   clip.instants = simultaneousInstants(0, test::kSmallClipFrames + 1, 2, 30.0);
   EXPECT_EQ(makeClipRun(clip, 1).error().code, ErrorCode::EndedEarly);
-  clip.cameras[0] = folder / "none.mp4";
+  clip.cameraPaths[0] = folder / "none.mp4";
   EXPECT_EQ(makeClipRun(clip, 1).error().code, ErrorCode::FileMissing);
 }
 
@@ -91,8 +92,8 @@ ScenarioDeclaration scenarioWith(const CalibratedClip& clip) {
   ScenarioDeclaration scenario;
   scenario.name = clip.name;
   scenario.family = "R1";
-  scenario.seeds = 1;
-  scenario.recorded = true;
+  scenario.seedCount = 1;
+  scenario.isRecorded = true;
   scenario.make = [clip](std::uint64_t seed, Grade) { return makeClipRun(clip, seed); };
   return scenario;
 }
@@ -120,7 +121,7 @@ TEST(CalibratedClip, IsMeasuredWhereItHasATruth) {
   const test::TemporaryFolder folder;
   const SuiteRow row = rowOfTriangulation(test::makeSmallClip(folder));
   EXPECT_EQ(row.key.grade, Grade::Real);
-  EXPECT_EQ(row.frames, 5.0) << "not the ten that were tracked";
+  EXPECT_EQ(row.frameCount, 5.0) << "not the ten that were tracked";
   // The disks are whole pixels around exact projections: nothing is left but rounding.
   ASSERT_TRUE(row.rmseMm.has_value());
   EXPECT_LT(*row.rmseMm, 1.0);
@@ -141,7 +142,7 @@ TEST(CalibratedClip, IsMeasuredInPixelsWithoutPositions) {
   clip.positions.clear();
   clip.startPositions = {test::smallClipPosition(2)};
   const SuiteRow row = rowOfTriangulation(clip);
-  EXPECT_EQ(row.frames, 10.0);
+  EXPECT_EQ(row.frameCount, 10.0);
   EXPECT_FALSE(row.rmseMm.has_value());
   ASSERT_TRUE(row.rmsePx.has_value());
   EXPECT_NEAR(*row.rmsePx, 3.0, 0.2);

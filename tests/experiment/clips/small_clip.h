@@ -49,7 +49,7 @@ inline CalibratedClip makeSmallClip(const TemporaryFolder& folder) {
       cv::circle(image, {cvRound(pixel->x()), cvRound(pixel->y())}, 9, {145, 85, 245}, cv::FILLED);
       cv::imwrite((images / fmt::format("{:03}.png", frame)).string(), image);
     }
-    clip.cameras.push_back(images);
+    clip.cameraPaths.push_back(images);
   }
   clip.instants = simultaneousInstants(2, kSmallClipFrames, 2, 30.0);
   ColorSample click; // in the first instant, frame 2: x = -0.03 m, 14 px right of the center

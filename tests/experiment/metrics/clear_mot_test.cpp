@@ -13,10 +13,10 @@ namespace {
 constexpr double kMotGate = 0.5;
 
 TEST(ClearMot, NothingAtAll) {
-  const ClearMot result = clearMot(std::vector<TrackFrame>{frameOnAxis({}, {})}, kMotGate);
+  const ClearMot result = computeClearMot(std::vector<TrackFrame>{frameOnAxis({}, {})}, kMotGate);
   EXPECT_TRUE(std::isnan(result.mota()));
   EXPECT_TRUE(std::isnan(result.motp()));
-  EXPECT_TRUE(std::isnan(clearMot({}, kMotGate).mota()));
+  EXPECT_TRUE(std::isnan(computeClearMot({}, kMotGate).mota()));
 }
 
 // Estimate 10 stays matched at 0.3 although 11 sits on the truth: 11 is a false positive.
@@ -24,7 +24,7 @@ TEST(ClearMot, NothingAtAll) {
 TEST(ClearMot, AMatchIsKeptWhileItIsValid) {
   const std::vector<TrackFrame> frames{frameOnAxis({{1, 0.0}}, {{10, 0.1}}),
                                        frameOnAxis({{1, 0.0}}, {{11, 0.0}, {10, 0.3}})};
-  const ClearMot result = clearMot(frames, kMotGate);
+  const ClearMot result = computeClearMot(frames, kMotGate);
   EXPECT_EQ(result.matches, 2);
   EXPECT_EQ(result.misses, 0);
   EXPECT_EQ(result.falsePositives, 1);
@@ -37,7 +37,7 @@ TEST(ClearMot, AMatchIsKeptWhileItIsValid) {
 TEST(ClearMot, AMatchBeyondTheGateIsReplaced) {
   const std::vector<TrackFrame> frames{frameOnAxis({{1, 0.0}}, {{10, 0.1}}),
                                        frameOnAxis({{1, 0.0}}, {{10, 0.6}, {11, 0.0}})};
-  const ClearMot result = clearMot(frames, kMotGate);
+  const ClearMot result = computeClearMot(frames, kMotGate);
   EXPECT_EQ(result.identitySwitches, 1);
   EXPECT_EQ(result.falsePositives, 1);
   EXPECT_DOUBLE_EQ(result.mota(), 0.0);
@@ -47,7 +47,7 @@ TEST(ClearMot, AMatchBeyondTheGateIsReplaced) {
 TEST(ClearMot, ASwapCountsTwice) {
   const std::vector<TrackFrame> frames{frameOnAxis({{1, 0.0}, {2, 10.0}}, {{10, 0.0}, {11, 10.0}}),
                                        frameOnAxis({{1, 0.0}, {2, 10.0}}, {{11, 0.0}, {10, 10.0}})};
-  const ClearMot result = clearMot(frames, kMotGate);
+  const ClearMot result = computeClearMot(frames, kMotGate);
   EXPECT_EQ(result.identitySwitches, 2);
   EXPECT_EQ(result.misses + result.falsePositives, 0);
   EXPECT_DOUBLE_EQ(result.mota(), 0.5);
@@ -62,12 +62,12 @@ std::vector<TrackFrame> withGap(int identityAfter) {
 
 // One miss in five frames: MOTA = 1 - 1 / 5 when the identity comes back, 1 - 2 / 5 with a new one.
 TEST(ClearMot, GapsFragmentAndIdentitiesAreRemembered) {
-  const ClearMot same = clearMot(withGap(10), kMotGate);
+  const ClearMot same = computeClearMot(withGap(10), kMotGate);
   EXPECT_EQ(same.misses, 1);
   EXPECT_EQ(same.fragmentations, 1);
   EXPECT_EQ(same.identitySwitches, 0);
   EXPECT_DOUBLE_EQ(same.mota(), 0.8);
-  const ClearMot other = clearMot(withGap(11), kMotGate);
+  const ClearMot other = computeClearMot(withGap(11), kMotGate);
   EXPECT_EQ(other.fragmentations, 1);
   EXPECT_EQ(other.identitySwitches, 1);
   EXPECT_DOUBLE_EQ(other.mota(), 0.6);
@@ -77,7 +77,7 @@ TEST(ClearMot, GapsFragmentAndIdentitiesAreRemembered) {
 TEST(ClearMot, AnAbsentTruthIsNoGap) {
   std::vector<TrackFrame> frames = withGap(10);
   frames[2].truth.clear();
-  const ClearMot result = clearMot(frames, kMotGate);
+  const ClearMot result = computeClearMot(frames, kMotGate);
   EXPECT_EQ(result.truthCount, 4);
   EXPECT_EQ(result.misses, 0);
   EXPECT_EQ(result.fragmentations, 0);
@@ -88,7 +88,7 @@ TEST(ClearMot, TheBeginningAndTheEndAreNoFragmentation) {
   const std::vector<TrackFrame> frames{frameOnAxis({{1, 0.0}}, {}),
                                        frameOnAxis({{1, 0.0}}, {{10, 0.0}}),
                                        frameOnAxis({{1, 0.0}}, {})};
-  const ClearMot result = clearMot(frames, kMotGate);
+  const ClearMot result = computeClearMot(frames, kMotGate);
   EXPECT_EQ(result.misses, 2);
   EXPECT_EQ(result.fragmentations, 0);
 }
@@ -98,11 +98,11 @@ TEST(ClearMot, TheBeginningAndTheEndAreNoFragmentation) {
 // (0.85 is beyond the gate); 1 with 10 and 2 with 11 make two, 0.3 + 0.45 = 0.75.
 TEST(ClearMot, AsManyMatchesAsPossibleThenLeastDistance) {
   const std::vector<TrackFrame> least{frameOnAxis({{1, 0.0}, {2, 0.4}}, {{10, 0.35}, {11, 0.1}})};
-  EXPECT_EQ(clearMot(least, kMotGate).matches, 2);
-  EXPECT_NEAR(clearMot(least, kMotGate).distanceSum, 0.15, 1e-15);
+  EXPECT_EQ(computeClearMot(least, kMotGate).matches, 2);
+  EXPECT_NEAR(computeClearMot(least, kMotGate).distanceSum, 0.15, 1e-15);
   const std::vector<TrackFrame> most{frameOnAxis({{1, 0.0}, {2, 0.4}}, {{10, 0.3}, {11, 0.85}})};
-  EXPECT_EQ(clearMot(most, kMotGate).matches, 2);
-  EXPECT_NEAR(clearMot(most, kMotGate).distanceSum, 0.75, 1e-15);
+  EXPECT_EQ(computeClearMot(most, kMotGate).matches, 2);
+  EXPECT_NEAR(computeClearMot(most, kMotGate).distanceSum, 0.75, 1e-15);
 }
 
 // Truth 2 took over estimate 10 while truth 1 was away. When both are near, it belongs to 2, which
@@ -111,7 +111,7 @@ TEST(ClearMot, AnIdentityBelongsToTheTruthThatHadItLast) {
   const std::vector<TrackFrame> frames{frameOnAxis({{1, 0.0}}, {{10, 0.0}}),
                                        frameOnAxis({{2, 0.0}}, {{10, 0.0}}),
                                        frameOnAxis({{1, 0.15}, {2, 0.2}}, {{10, 0.1}})};
-  const ClearMot result = clearMot(frames, kMotGate);
+  const ClearMot result = computeClearMot(frames, kMotGate);
   EXPECT_EQ(result.matches, 3);
   EXPECT_EQ(result.misses, 1);
   EXPECT_EQ(result.identitySwitches, 0);
@@ -123,7 +123,7 @@ TEST(ClearMot, AnIdentityBelongsToTheTruthThatHadItLast) {
 TEST(ClearMot, AnEstimateThatIsNoNumber) {
   const std::vector<TrackFrame> frames{
       frameOnAxis({{1, 0.0}}, {{10, std::numeric_limits<double>::quiet_NaN()}})};
-  const ClearMot result = clearMot(frames, kMotGate);
+  const ClearMot result = computeClearMot(frames, kMotGate);
   EXPECT_EQ(result.misses, 1);
   EXPECT_EQ(result.falsePositives, 1);
   EXPECT_DOUBLE_EQ(result.mota(), -1.0);
@@ -131,8 +131,9 @@ TEST(ClearMot, AnEstimateThatIsNoNumber) {
 }
 
 TEST(ClearMot, TheGateItselfStillMatches) {
-  EXPECT_EQ(
-      clearMot(std::vector<TrackFrame>{frameOnAxis({{1, 0.0}}, {{10, 0.5}})}, kMotGate).matches, 1);
+  EXPECT_EQ(computeClearMot(std::vector<TrackFrame>{frameOnAxis({{1, 0.0}}, {{10, 0.5}})}, kMotGate)
+                .matches,
+            1);
 }
 
 } // namespace

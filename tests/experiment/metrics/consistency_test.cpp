@@ -53,7 +53,7 @@ TEST(Consistency, HandWorked) {
   const Eigen::Vector3d variances(1.0, 4.0, 9.0);
   const std::vector<StateError> errors{sampleOf({1.0, 2.0, 3.0}, variances),
                                        sampleOf({3.0, 0.0, 0.0}, variances)};
-  const Consistency result = consistency(errors);
+  const Consistency result = computeConsistency(errors);
   EXPECT_DOUBLE_EQ(result.nees.value, 6.0);
   EXPECT_NEAR(result.nees.low, 1.237 / 2.0, 5e-4);
   EXPECT_NEAR(result.nees.high, 14.449 / 2.0, 5e-4);
@@ -82,7 +82,7 @@ TEST(Consistency, CountsBothEllipsoids) {
   const std::vector<StateError> errors{sampleOf({1.5, 0.0, 0.0}, unit),
                                        sampleOf({0.0, 2.0, 0.0}, unit),
                                        sampleOf({0.0, 0.0, 3.0}, unit)};
-  const Consistency result = consistency(errors);
+  const Consistency result = computeConsistency(errors);
   EXPECT_EQ(result.coverage50.count, 1);
   EXPECT_EQ(result.coverage50.total, 3);
   EXPECT_EQ(result.coverage95.count, 2);
@@ -94,14 +94,14 @@ TEST(Consistency, UnusableSamplesCountAsOutside) {
   const std::vector<StateError> errors{
       sampleOf(error, {1.0, 1.0, 1.0}), sampleOf(error, {0.0, 0.0, 0.0}),
       sampleOf(error, {1.0, -1.0, 1.0}), sampleOf({kNotANumber, 0.0, 0.0}, {1.0, 1.0, 1.0})};
-  const Consistency result = consistency(errors);
-  EXPECT_EQ(result.unusableCount, 3);
+  const Consistency result = computeConsistency(errors);
+  EXPECT_EQ(result.unusableSampleCount, 3);
   EXPECT_NEAR(result.nees.value, 0.01, 1e-15);
   EXPECT_EQ(result.coverage95.count, 1);
   EXPECT_EQ(result.coverage95.total, 4);
   EXPECT_EQ(result.coverage50.count, 1);
   EXPECT_EQ(result.coverage50.total, 4);
-  const Consistency none = consistency({});
+  const Consistency none = computeConsistency({});
   EXPECT_TRUE(std::isnan(none.nees.value));
   EXPECT_TRUE(std::isnan(none.coverage95.value()));
   EXPECT_TRUE(std::isnan(none.coverage50.value()));
@@ -117,7 +117,7 @@ TEST(Consistency, TrueCovariancesPass) {
     const auto normal = random.normal4(k);
     errors.push_back(sampleOf({1e-3 * normal[0], 2e-3 * normal[1], 5e-3 * normal[2]}, variances));
   }
-  const Consistency result = consistency(errors, 0.999);
+  const Consistency result = computeConsistency(errors, 0.999);
   EXPECT_GT(result.nees.value, result.nees.low);
   EXPECT_LT(result.nees.value, result.nees.high);
   EXPECT_GT(result.axisNees.minCoeff(), result.axisNeesBounds.low);

@@ -19,19 +19,19 @@ const Eigen::Vector3d kOrigin = Eigen::Vector3d::Zero();
 TEST(ErrorSplit, HandWorked) {
   const std::vector<Eigen::Vector3d> errors{{3.0, 0.0, 4.0}, {1.0, 0.0, 0.0}};
   const ErrorSplit split = splitErrors(errors, {{"one", kOrigin, {2.0, 0.0, 0.0}}});
-  EXPECT_EQ(split.count, 2);
+  EXPECT_EQ(split.errorCount, 2);
   EXPECT_DOUBLE_EQ(split.summary.rmse, std::sqrt(13.0));
-  EXPECT_DOUBLE_EQ(split.summary.median, 3.0); // lengths 5 and 1
-  EXPECT_DOUBLE_EQ(split.summary.p95, 4.8);    // 1 + 0.95 * 4
-  EXPECT_DOUBLE_EQ(split.summary.max, 5.0);
+  EXPECT_DOUBLE_EQ(split.summary.medianError, 3.0); // lengths 5 and 1
+  EXPECT_DOUBLE_EQ(split.summary.p95, 4.8);         // 1 + 0.95 * 4
+  EXPECT_DOUBLE_EQ(split.summary.maxError, 5.0);
   EXPECT_TRUE(split.summary.bias.isApprox(Eigen::Vector3d(2.0, 0.0, 2.0)));
   EXPECT_DOUBLE_EQ(split.spread, std::sqrt(5.0));
-  ASSERT_EQ(split.cameras.size(), 1U);
-  EXPECT_EQ(split.cameras[0].name, "one");
-  EXPECT_DOUBLE_EQ(split.cameras[0].alongAxisBias, 2.0);
-  EXPECT_DOUBLE_EQ(split.cameras[0].acrossAxisBias, 2.0);
-  EXPECT_DOUBLE_EQ(split.cameras[0].alongAxisRms, std::sqrt(5.0));
-  EXPECT_DOUBLE_EQ(split.cameras[0].acrossAxisRms, std::sqrt(8.0));
+  ASSERT_EQ(split.cameraBiases.size(), 1U);
+  EXPECT_EQ(split.cameraBiases[0].cameraName, "one");
+  EXPECT_DOUBLE_EQ(split.cameraBiases[0].alongAxisBias, 2.0);
+  EXPECT_DOUBLE_EQ(split.cameraBiases[0].acrossAxisBias, 2.0);
+  EXPECT_DOUBLE_EQ(split.cameraBiases[0].alongAxisRms, std::sqrt(5.0));
+  EXPECT_DOUBLE_EQ(split.cameraBiases[0].acrossAxisRms, std::sqrt(8.0));
   ASSERT_TRUE(split.meanViewBias.has_value());
   EXPECT_DOUBLE_EQ(split.meanViewBias->alongAxisRms, std::sqrt(5.0)); // of one camera: its own axis
 }
@@ -50,16 +50,16 @@ TEST(ErrorSplit, CamerasFaceToFaceHaveNoMeanView) {
   const std::vector<TrajectoryCamera> cameras{{"x", kOrigin, {1.0, 0.0, 0.0}},
                                               {"y", kOrigin, {-1.0, 0.0, 0.0}}};
   EXPECT_FALSE(splitErrors({{1.0, 0.0, 0.0}}, cameras).meanViewBias.has_value());
-  EXPECT_EQ(splitErrors({{1.0, 0.0, 0.0}}, cameras).cameras.size(), 2U);
+  EXPECT_EQ(splitErrors({{1.0, 0.0, 0.0}}, cameras).cameraBiases.size(), 2U);
   EXPECT_FALSE(splitErrors({{1.0, 0.0, 0.0}}, {}).meanViewBias.has_value());
 }
 
 TEST(ErrorSplit, ErrorsThatAreNoNumbersAreLeftOut) {
   const ErrorSplit split = splitErrors({{kNotANumber, 0.0, 0.0}, {0.0, 2.0, 0.0}}, {});
-  EXPECT_EQ(split.count, 1);
+  EXPECT_EQ(split.errorCount, 1);
   EXPECT_EQ(split.summary.rmse, 2.0);
   EXPECT_TRUE(std::isnan(splitErrors({}, {}).summary.rmse));
-  EXPECT_EQ(splitErrors({}, {}).count, 0);
+  EXPECT_EQ(splitErrors({}, {}).errorCount, 0);
 }
 
 } // namespace

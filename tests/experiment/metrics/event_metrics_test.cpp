@@ -30,18 +30,18 @@ std::vector<TrackFrame> story(std::string_view letters) {
 }
 
 std::vector<TargetFrame> targetStory(std::string_view letters) {
-  return targetFrames(story(letters), 1, 7);
+  return framesOfTarget(story(letters), 1, 7);
 }
 
 TEST(EventMetrics, TargetFramesPickOneIdentity) {
   const std::vector<TrackFrame> frames{frameOnAxis({{1, 0.0}, {2, 5.0}}, {{7, 0.1}, {8, 5.1}}, 42)};
-  const auto second = targetFrames(frames, 2, 8);
+  const auto second = framesOfTarget(frames, 2, 8);
   ASSERT_EQ(second.size(), 1U);
   EXPECT_EQ(second[0].frame, 42);
   EXPECT_EQ(second[0].truth->x(), 5.0);
   EXPECT_EQ(second[0].estimate->x(), 5.1);
-  EXPECT_FALSE(targetFrames(frames, 3, 9)[0].truth.has_value());
-  EXPECT_FALSE(targetFrames(frames, 3, 9)[0].estimate.has_value());
+  EXPECT_FALSE(framesOfTarget(frames, 3, 9)[0].truth.has_value());
+  EXPECT_FALSE(framesOfTarget(frames, 3, 9)[0].estimate.has_value());
 }
 
 TEST(EventMetrics, FramesToConverge) {
@@ -82,7 +82,7 @@ TEST(EventMetrics, FramesToDeclareLoss) {
 
 // Of eight frames two are without target: w, n and u of the other six are lost.
 TEST(EventMetrics, LostFrames) {
-  const Proportion lost = lostFrames(targetStory("ffwnufag"), kEventGate);
+  const Proportion lost = lostFrameShare(targetStory("ffwnufag"), kEventGate);
   EXPECT_EQ(lost.count, 3);
   EXPECT_EQ(lost.total, 6);
   EXPECT_DOUBLE_EQ(lost.value(), 0.5);
@@ -91,9 +91,9 @@ TEST(EventMetrics, LostFrames) {
 // A frame in which nobody can see the target is not held against the method.
 TEST(EventMetrics, InvisibleFramesAreNotLost) {
   auto frames = targetStory("fuuf");
-  frames[1].visible = false;
-  EXPECT_EQ(lostFrames(frames, kEventGate).count, 1);
-  EXPECT_EQ(lostFrames(frames, kEventGate).total, 3);
+  frames[1].isVisible = false;
+  EXPECT_EQ(lostFrameShare(frames, kEventGate).count, 1);
+  EXPECT_EQ(lostFrameShare(frames, kEventGate).total, 3);
 }
 
 // w, n and g are false alarms; undeclared frames are not.

@@ -17,14 +17,14 @@ ExtentSample sampleOff(double distance) {
 
 TEST(ExtentErrors, NearIsWithinAQuarterOfTheHalfExtent) {
   ExtentSample silent = sampleOff(0.0);
-  silent.distance.reset();
+  silent.centroidDistance.reset();
   const std::vector<ExtentSample> samples{sampleOff(0.04), sampleOff(0.05), sampleOff(0.06),
                                           sampleOff(0.3), silent};
-  const ExtentErrors errors = extentErrors(samples);
-  EXPECT_EQ(errors.nearProportion.count, 2);
-  EXPECT_EQ(errors.nearProportion.total, 5) << "what is not declared is not near";
-  EXPECT_NEAR(errors.centroid, (0.25 + 0.3) / 2.0, 1e-12) << "0.2, 0.25, 0.3 and 1.5";
-  EXPECT_TRUE(std::isnan(errors.size)) << "nobody estimates it";
+  const ExtentErrors errors = measureExtentErrors(samples);
+  EXPECT_EQ(errors.nearEstimateProportion.count, 2);
+  EXPECT_EQ(errors.nearEstimateProportion.total, 5) << "what is not declared is not near";
+  EXPECT_NEAR(errors.relativeCentroidError, (0.25 + 0.3) / 2.0, 1e-12) << "0.2, 0.25, 0.3 and 1.5";
+  EXPECT_TRUE(std::isnan(errors.relativeSizeError)) << "nobody estimates it";
 }
 
 TEST(ExtentErrors, CountSizesTooLargeAndTooSmallAlike) {
@@ -32,19 +32,19 @@ TEST(ExtentErrors, CountSizesTooLargeAndTooSmallAlike) {
   samples[0].estimatedRadius = 0.08;  // 20 %
   samples[1].estimatedRadius = 0.13;  // 30 %
   samples[2].estimatedRadius = 0.101; // 1 %
-  EXPECT_NEAR(extentErrors(samples).size, 0.2, 1e-12) << "the fourth has none";
+  EXPECT_NEAR(measureExtentErrors(samples).relativeSizeError, 0.2, 1e-12) << "the fourth has none";
 }
 
 TEST(ExtentErrors, NothingUsableIsLeftOut) {
-  EXPECT_TRUE(std::isnan(extentErrors({}).nearProportion.value()));
-  EXPECT_TRUE(std::isnan(extentErrors({}).centroid));
+  EXPECT_TRUE(std::isnan(measureExtentErrors({}).nearEstimateProportion.value()));
+  EXPECT_TRUE(std::isnan(measureExtentErrors({}).relativeCentroidError));
   std::vector<ExtentSample> samples{sampleOff(std::numeric_limits<double>::quiet_NaN()),
                                     {0.0, 0.0, 0.0, 0.1}};
-  const ExtentErrors errors = extentErrors(samples);
-  EXPECT_EQ(errors.nearProportion.count, 0);
-  EXPECT_EQ(errors.nearProportion.total, 2);
-  EXPECT_TRUE(std::isnan(errors.centroid));
-  EXPECT_TRUE(std::isnan(errors.size));
+  const ExtentErrors errors = measureExtentErrors(samples);
+  EXPECT_EQ(errors.nearEstimateProportion.count, 0);
+  EXPECT_EQ(errors.nearEstimateProportion.total, 2);
+  EXPECT_TRUE(std::isnan(errors.relativeCentroidError));
+  EXPECT_TRUE(std::isnan(errors.relativeSizeError));
 }
 
 } // namespace

@@ -15,7 +15,7 @@ constexpr double kHotaGate = 0.1; // similarity = 1 - distance / 0.1
 TEST(Hota, PerfectIsOne) {
   const std::vector<TrackFrame> frames{frameOnAxis({{1, 0.0}, {2, 1.0}}, {{7, 0.0}, {8, 1.0}}),
                                        frameOnAxis({{1, 0.1}, {2, 0.9}}, {{7, 0.1}, {8, 0.9}})};
-  const Hota result = hota(frames, kHotaGate);
+  const Hota result = computeHota(frames, kHotaGate);
   EXPECT_DOUBLE_EQ(result.hota, 1.0);
   EXPECT_DOUBLE_EQ(result.detectionAccuracy, 1.0);
   EXPECT_DOUBLE_EQ(result.associationAccuracy, 1.0);
@@ -32,7 +32,7 @@ TEST(Hota, FourFramesByHand) {
   const std::vector<TrackFrame> frames{
       frameOnAxis({{1, 0.0}}, {{10, 0.0}}), frameOnAxis({{1, 0.0}}, {{10, 0.0}}),
       frameOnAxis({{1, 0.0}}, {{11, 0.05}}), frameOnAxis({{1, 0.0}}, {{11, 0.05}})};
-  const Hota result = hota(frames, kHotaGate);
+  const Hota result = computeHota(frames, kHotaGate);
   EXPECT_EQ(result.thresholds[9].threshold, 0.5);
   EXPECT_EQ(result.thresholds[9].matches, 4);
   EXPECT_DOUBLE_EQ(result.thresholds[9].hota, std::sqrt(0.5));
@@ -57,7 +57,7 @@ TEST(Hota, FourFramesByHand) {
 TEST(Hota, TheLongPartnershipIsPreferred) {
   std::vector<TrackFrame> frames(3, frameOnAxis({{1, 0.0}}, {{10, 0.0}}));
   frames.push_back(frameOnAxis({{1, 0.0}}, {{11, 0.04}, {10, 0.06}}));
-  const Hota result = hota(frames, kHotaGate);
+  const Hota result = computeHota(frames, kHotaGate);
   EXPECT_EQ(result.thresholds[7].matches, 4);
   EXPECT_DOUBLE_EQ(result.thresholds[7].detectionAccuracy, 0.8);
   EXPECT_DOUBLE_EQ(result.thresholds[7].associationAccuracy, 1.0);
@@ -71,18 +71,18 @@ TEST(Hota, TheLongPartnershipIsPreferred) {
 TEST(Hota, ASwapHalvesTheAssociationNotTheDetection) {
   const std::vector<TrackFrame> frames{frameOnAxis({{1, 0.0}, {2, 1.0}}, {{10, 0.0}, {11, 1.0}}),
                                        frameOnAxis({{1, 0.0}, {2, 1.0}}, {{11, 0.0}, {10, 1.0}})};
-  const Hota result = hota(frames, kHotaGate);
+  const Hota result = computeHota(frames, kHotaGate);
   EXPECT_DOUBLE_EQ(result.detectionAccuracy, 1.0);
   EXPECT_NEAR(result.associationAccuracy, 1.0 / 3.0, 1e-15);
   EXPECT_NEAR(result.hota, std::sqrt(1.0 / 3.0), 1e-15);
 }
 
 TEST(Hota, NothingToJudge) {
-  EXPECT_TRUE(std::isnan(hota({}, kHotaGate).hota));
-  const Hota missed = hota(std::vector<TrackFrame>{frameOnAxis({{1, 0.0}}, {})}, kHotaGate);
+  EXPECT_TRUE(std::isnan(computeHota({}, kHotaGate).hota));
+  const Hota missed = computeHota(std::vector<TrackFrame>{frameOnAxis({{1, 0.0}}, {})}, kHotaGate);
   EXPECT_EQ(missed.hota, 0.0);
   EXPECT_TRUE(std::isnan(missed.localizationAccuracy));
-  EXPECT_EQ(hota(std::vector<TrackFrame>{frameOnAxis({}, {{1, 0.0}})}, kHotaGate).hota, 0.0);
+  EXPECT_EQ(computeHota(std::vector<TrackFrame>{frameOnAxis({}, {{1, 0.0}})}, kHotaGate).hota, 0.0);
 }
 
 // The second of two frames is declared but nowhere: TP 1, FN 1, FP 1, DetA = 1/3;
@@ -91,7 +91,7 @@ TEST(Hota, AnEstimateThatIsNoNumber) {
   const std::vector<TrackFrame> frames{
       frameOnAxis({{1, 0.0}}, {{10, 0.0}}),
       frameOnAxis({{1, 0.0}}, {{10, std::numeric_limits<double>::quiet_NaN()}})};
-  EXPECT_NEAR(hota(frames, kHotaGate).hota, 1.0 / 3.0, 1e-15);
+  EXPECT_NEAR(computeHota(frames, kHotaGate).hota, 1.0 / 3.0, 1e-15);
 }
 
 } // namespace

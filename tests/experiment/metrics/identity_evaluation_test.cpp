@@ -33,7 +33,7 @@ TEST(IdentityEvaluation, CountsSwitchesAndPlacesOnTheFloor) {
   exchange(estimate, truth);
   const auto result = evaluateIdentities(estimate, truth, {0.5, true});
   ASSERT_TRUE(result);
-  EXPECT_EQ(result->frames, 4);
+  EXPECT_EQ(result->frameCount, 4);
   EXPECT_EQ(result->clearMot.truthCount, 8);
   EXPECT_EQ(result->clearMot.matches, 8);
   EXPECT_EQ(result->clearMot.identitySwitches, 2);
@@ -59,7 +59,7 @@ TEST(IdentityEvaluation, NotValidIsNotThere) {
   Trajectory estimate;
   Trajectory truth;
   exchange(estimate, truth);
-  truth.samples[6].valid = false; // "left" has left at the last frame
+  truth.samples[6].isValid = false; // "left" has left at the last frame
   const auto result = evaluateIdentities(estimate, truth, {0.5, true});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->clearMot.truthCount, 7);

@@ -17,7 +17,7 @@ constexpr double kConfidenceGate = 0.03;
 ReportedBelief beliefOff(double error, double probability = 1.0) {
   ReportedBelief belief;
   belief.probability = probability;
-  belief.declared = probability > 0.5;
+  belief.isDeclared = probability > 0.5;
   belief.position = {error, 0.0, 0.0};
   belief.covariance = Eigen::Vector3d(1e-6, 4e-6, 4e-6).asDiagonal();
   belief.truth = Eigen::Vector3d::Zero();
@@ -47,7 +47,7 @@ TEST(Overconfidence, AnAbsentTargetIsNoExcuse) {
   belief.probability = 0.6;
   EXPECT_FALSE(isConfidentlyWrong(belief));
   EXPECT_TRUE(isWrong(belief, kConfidenceGate)) << "declared, though not sure";
-  belief.declared = false;
+  belief.isDeclared = false;
   EXPECT_FALSE(isWrong(belief, kConfidenceGate));
 }
 
@@ -70,15 +70,15 @@ TEST(Overconfidence, SharesAreOfAllBeliefs) {
   // not sure; nothing stated, 40 mm off.
   const std::vector<ReportedBelief> beliefs{beliefOff(0.001), beliefOff(0.020), beliefOff(0.040),
                                             beliefOff(0.040, 0.8), beliefOff(0.040, 0.2)};
-  const Overconfidence result = overconfidence(beliefs, kConfidenceGate);
-  EXPECT_EQ(result.wrong.count, 2);
-  EXPECT_EQ(result.wrongWhenConfident.count, 1);
-  EXPECT_EQ(result.confidentlyWrong.count, 2);
+  const Overconfidence result = measureOverconfidence(beliefs, kConfidenceGate);
+  EXPECT_EQ(result.wrongShare.count, 2);
+  EXPECT_EQ(result.wrongAndConfidentShare.count, 1);
+  EXPECT_EQ(result.confidentlyWrongShare.count, 2);
   for (const Proportion& share :
-       {result.wrong, result.wrongWhenConfident, result.confidentlyWrong}) {
+       {result.wrongShare, result.wrongAndConfidentShare, result.confidentlyWrongShare}) {
     EXPECT_EQ(share.total, 5);
   }
-  EXPECT_TRUE(std::isnan(overconfidence({}, kConfidenceGate).wrong.value()));
+  EXPECT_TRUE(std::isnan(measureOverconfidence({}, kConfidenceGate).wrongShare.value()));
 }
 
 } // namespace

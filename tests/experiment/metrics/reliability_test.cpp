@@ -16,35 +16,35 @@ namespace {
 TEST(Reliability, HandWorked) {
   const std::vector<Forecast> forecasts{
       {0.1, false}, {0.3, true}, {0.5, true}, {0.9, true}, {1.0, true}};
-  const Reliability result = reliability(forecasts, 2);
+  const Reliability result = computeReliability(forecasts, 2);
   ASSERT_EQ(result.bins.size(), 2U);
-  EXPECT_EQ(result.bins[0].count, 2);
+  EXPECT_EQ(result.bins[0].forecastCount, 2);
   EXPECT_DOUBLE_EQ(result.bins[0].meanProbability, 0.2);
-  EXPECT_DOUBLE_EQ(result.bins[0].frequency, 0.5);
-  EXPECT_EQ(result.bins[1].count, 3);
+  EXPECT_DOUBLE_EQ(result.bins[0].observedFrequency, 0.5);
+  EXPECT_EQ(result.bins[1].forecastCount, 3);
   EXPECT_DOUBLE_EQ(result.bins[1].meanProbability, 0.8);
-  EXPECT_DOUBLE_EQ(result.bins[1].frequency, 1.0);
-  EXPECT_NEAR(result.expectedError, 0.24, 1e-15);
-  EXPECT_NEAR(result.maxError, 0.3, 1e-15);
+  EXPECT_DOUBLE_EQ(result.bins[1].observedFrequency, 1.0);
+  EXPECT_NEAR(result.expectedCalibrationError, 0.24, 1e-15);
+  EXPECT_NEAR(result.maxCalibrationError, 0.3, 1e-15);
   EXPECT_NEAR(result.brierScore, 0.152, 1e-15);
 }
 
 // 0.75 stated, three of four happened.
 TEST(Reliability, CalibratedIsZero) {
   const std::vector<Forecast> forecasts{{0.75, true}, {0.75, true}, {0.75, false}, {0.75, true}};
-  EXPECT_EQ(reliability(forecasts).expectedError, 0.0);
+  EXPECT_EQ(computeReliability(forecasts).expectedCalibrationError, 0.0);
 }
 
 TEST(Reliability, EmptyBinsAndUnusableForecasts) {
   const std::vector<Forecast> forecasts{
       {std::numeric_limits<double>::quiet_NaN(), true}, {1.5, true}, {-0.1, true}, {0.0, false}};
-  const Reliability result = reliability(forecasts);
-  EXPECT_EQ(result.unusableCount, 3);
-  EXPECT_EQ(result.count, 1);
-  EXPECT_EQ(result.expectedError, 0.0);
-  EXPECT_TRUE(std::isnan(result.bins[5].frequency));
+  const Reliability result = computeReliability(forecasts);
+  EXPECT_EQ(result.unusableForecastCount, 3);
+  EXPECT_EQ(result.forecastCount, 1);
+  EXPECT_EQ(result.expectedCalibrationError, 0.0);
+  EXPECT_TRUE(std::isnan(result.bins[5].observedFrequency));
   EXPECT_EQ(result.bins.size(), 10U);
-  EXPECT_TRUE(std::isnan(reliability({}).expectedError));
+  EXPECT_TRUE(std::isnan(computeReliability({}).expectedCalibrationError));
 }
 
 } // namespace

@@ -12,7 +12,7 @@ namespace {
 ReportedBelief beliefOf(double probability, bool declared = true) {
   ReportedBelief belief;
   belief.probability = probability;
-  belief.declared = declared;
+  belief.isDeclared = declared;
   belief.truth = Eigen::Vector3d::Zero(); // it is right, by luck
   return belief;
 }

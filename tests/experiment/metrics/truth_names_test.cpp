@@ -29,14 +29,14 @@ Trajectory twoBalls(const char* left, const char* right) {
 TEST(TruthNames, OfTargetsAlikeFollowThePositions) {
   const Trajectory truth = twoBalls("ball 1", "ball 2");
   const Trajectory estimate = twoBalls("ball 2", "ball 1");
-  ASSERT_FALSE(evaluate(estimate, truth)->front().framesToConverge); // by name
+  ASSERT_FALSE(evaluate(estimate, truth)->front().convergenceFrameCount); // by name
   const auto names = truthNamesByPosition(estimate, truth, {{"ball 1", "ball 2"}});
   EXPECT_EQ(names,
             (std::map<std::string, std::string>{{"ball 1", "ball 2"}, {"ball 2", "ball 1"}}));
   const auto compared = evaluate(estimate, withTrackedNames(truth, names));
   ASSERT_TRUE(compared);
   for (const Evaluation& one : *compared) {
-    EXPECT_EQ(one.framesToConverge, 0);
+    EXPECT_EQ(one.convergenceFrameCount, 0);
     EXPECT_EQ(one.rmse, 0.0);
   }
 }

@@ -16,11 +16,11 @@ TEST(RandomDraws, TheSameSeedAndNameGiveTheSameNumbers) {
   RandomDraws same(11, "S4");
   RandomDraws otherSeed(12, "S4");
   RandomDraws otherName(11, "S5");
-  const double first = one.uniform(0.0, 1.0);
-  EXPECT_EQ(same.uniform(0.0, 1.0), first);
-  EXPECT_NE(otherSeed.uniform(0.0, 1.0), first);
-  EXPECT_NE(otherName.uniform(0.0, 1.0), first);
-  EXPECT_NE(one.uniform(0.0, 1.0), first) << "each number is drawn anew";
+  const double first = one.drawUniform(0.0, 1.0);
+  EXPECT_EQ(same.drawUniform(0.0, 1.0), first);
+  EXPECT_NE(otherSeed.drawUniform(0.0, 1.0), first);
+  EXPECT_NE(otherName.drawUniform(0.0, 1.0), first);
+  EXPECT_NE(one.drawUniform(0.0, 1.0), first) << "each number is drawn anew";
 }
 
 // 4000 draws: the mean of a uniform number is off by 0.0046 (one standard error), the standard
@@ -34,20 +34,20 @@ TEST(RandomDraws, NumbersAreDistributedAsTheyAreCalled) {
   int heads = 0;
   Eigen::Vector3d directions = Eigen::Vector3d::Zero();
   for (int k = 0; k < kDraws; ++k) {
-    const double number = draws.uniform(2.0, 3.0);
+    const double number = draws.drawUniform(2.0, 3.0);
     EXPECT_GE(number, 2.0);
     EXPECT_LE(number, 3.0);
     sum += number;
-    squares += std::pow(draws.normal(0.5), 2);
-    const int whole = draws.integer(4, 6);
+    squares += std::pow(draws.drawNormal(0.5), 2);
+    const int whole = draws.drawInteger(4, 6);
     EXPECT_GE(whole, 4);
     EXPECT_LE(whole, 6);
     lowest += whole == 4 ? 1 : 0;
-    heads += draws.coinFlip() ? 1 : 0;
-    const Eigen::Vector3d direction = draws.direction();
+    heads += draws.flipCoin() ? 1 : 0;
+    const Eigen::Vector3d direction = draws.drawDirection();
     EXPECT_NEAR(direction.norm(), 1.0, 1e-12);
     directions += direction;
-    const Eigen::Vector3d inside = draws.pointInBox({0.0, -1.0, 2.0}, {1.0, 0.0, 2.0});
+    const Eigen::Vector3d inside = draws.drawPointInBox({0.0, -1.0, 2.0}, {1.0, 0.0, 2.0});
     EXPECT_TRUE(inside.y() >= -1.0 && inside.y() <= 0.0 && inside.z() == 2.0);
   }
   EXPECT_NEAR(sum / kDraws, 2.5, 0.0184);

@@ -28,7 +28,7 @@ TEST(ConvergenceCsv, SaysNothingOfRunsThatThereAreNot) {
   ConvergenceResult result;
   result.setup.name = "none";
   result.setup.ballPosition = result.setup.startPosition = Eigen::Vector3d::Zero();
-  result.setup.runs = 2;
+  result.setup.runCount = 2;
   EXPECT_EQ(convergenceCsv({result}), std::string(kHead) + "none,0,0,0,0,0,0,0,0,0,1,2,0,0,,,\n");
 }
 

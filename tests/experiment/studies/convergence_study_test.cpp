@@ -41,7 +41,7 @@ TEST(ConvergedFrom, KnowsNothingOfTheTruth) {
 }
 
 TEST(Figure3Case, HasTheBallWholeInBothImagesAndTheStartInCamera1s) {
-  const ConvergenceCase setup = figure3Case();
+  const ConvergenceCase setup = barreraFigure3Case();
   constexpr double kRadius = 0.035; // the demo's ball, meters
   ASSERT_EQ(setup.cameras.size(), 2U);
   for (const Camera& camera : setup.cameras) {

@@ -15,10 +15,10 @@ TEST(DynamicsStudy, TheJumpIsSeenAtItsIteration) {
   EXPECT_LT(run.errors[29], 0.05);
   EXPECT_NEAR(run.errors[30], 2.0, 0.2); // the paper's figure 6
   EXPECT_LT(run.errors[99], 0.05);
-  ASSERT_EQ(run.clouds.size(), 2U);
+  ASSERT_EQ(run.particleClouds.size(), 2U);
   // What is said of the cloud is what is drawn of it: the mean square distance is the sum of the
   // variances.
-  const Eigen::ArrayXXd& cloud = run.clouds[1];
+  const Eigen::ArrayXXd& cloud = run.particleClouds[1];
   double square = 0.0;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     square += (cloud.col(axis) - cloud.col(axis).mean()).square().mean();
@@ -28,7 +28,7 @@ TEST(DynamicsStudy, TheJumpIsSeenAtItsIteration) {
   // per axis, spreads the cloud by 0.052 m.
   EXPECT_GT(run.cloudSpreads[32], 0.045);
   EXPECT_LT(run.beliefSpreads[32], 0.5 * run.cloudSpreads[32]);
-  EXPECT_EQ(run.clouds[0].rows(), 200);
+  EXPECT_EQ(run.particleClouds[0].rows(), 200);
 }
 
 TEST(DynamicsStudy, ALargerSigmaArrivesSoonerAndWider) {
@@ -38,7 +38,7 @@ TEST(DynamicsStudy, ALargerSigmaArrivesSoonerAndWider) {
   const DynamicsRun slow = runDynamics(small, 1);
   const DynamicsRun fast = runDynamics(large, 1);
   const auto again = [](const DynamicsRun& run) {
-    return iterationsUntilBelow(run.errors, 30, 100, 0.1);
+    return iterationsUntilErrorBelow(run.errors, 30, 100, 0.1);
   };
   EXPECT_LT(again(fast), again(slow));
   EXPECT_GT(fast.cloudSpreads[99], slow.cloudSpreads[99]);
@@ -54,9 +54,9 @@ TEST(DynamicsStudy, ATinySigmaDoesNotArriveBeforeIterationSeventy) {
 
 TEST(DynamicsStudy, CountsIterationsUntilItStaysBelow) {
   const std::vector<double> errors{2.0, 0.05, 0.2, 0.05, 0.04};
-  EXPECT_EQ(iterationsUntilBelow(errors, 0, 5, 0.1), 4) << "the second is not for good";
-  EXPECT_EQ(iterationsUntilBelow(errors, 3, 5, 0.1), 1);
-  EXPECT_EQ(iterationsUntilBelow(errors, 0, 3, 0.1), -1);
+  EXPECT_EQ(iterationsUntilErrorBelow(errors, 0, 5, 0.1), 4) << "the second is not for good";
+  EXPECT_EQ(iterationsUntilErrorBelow(errors, 3, 5, 0.1), 1);
+  EXPECT_EQ(iterationsUntilErrorBelow(errors, 0, 3, 0.1), -1);
 }
 
 TEST(DynamicsStudy, ACloudMovesByTheFarthestOfItsParticles) {
@@ -65,7 +65,7 @@ TEST(DynamicsStudy, ACloudMovesByTheFarthestOfItsParticles) {
   // Expected largest of 200 standard normals: 2.746. Far away only the nearest particle survives.
   const double most = distanceAdvancedTowardFarObject(setup, 10);
   EXPECT_NEAR(most / setup.motionSigma, 2.746, 0.1);
-  EXPECT_LT(maxTrackableSpeed(setup, 4), most);
+  EXPECT_LT(findMaxTrackableSpeed(setup, 4), most);
 }
 
 } // namespace

@@ -98,10 +98,10 @@ std::string pageOf(Status (*run)(const ExperimentOptions&), const char* name) {
 }
 
 TEST(BarreraStarts, TheVerdictFollowsFromAllStarts) {
-  EXPECT_EQ(noConvergenceOutcome({1.0, 0.58, 0.07}),
+  EXPECT_EQ(outcomeOfNoConvergenceClaim({1.0, 0.58, 0.07}),
             ClaimOutcome::InPart); // as measured with 100 runs
-  EXPECT_EQ(noConvergenceOutcome({0.0, 0.09}), ClaimOutcome::Reproduced);
-  EXPECT_EQ(noConvergenceOutcome({1.0, 0.1}), ClaimOutcome::NotReproduced);
+  EXPECT_EQ(outcomeOfNoConvergenceClaim({0.0, 0.09}), ClaimOutcome::Reproduced);
+  EXPECT_EQ(outcomeOfNoConvergenceClaim({1.0, 0.1}), ClaimOutcome::NotReproduced);
 }
 
 TEST(BarreraFigure3, PrintsWhatWasRun) {
@@ -132,12 +132,12 @@ TEST(MaskQuality, CountsPiecesAndPixels) {
   mask(cv::Rect(10, 30, 10, 20)).setTo(255); // 200 more in another piece,
   mask(cv::Rect(50, 10, 10, 10)).setTo(255); // 100 of nobody,
   mask(cv::Rect(70, 50, 4, 4)).setTo(255);   // and 16 of noise, too few for a region
-  const MaskQuality quality = maskQuality(mask, people);
-  EXPECT_EQ(quality.regions, 3);
+  const MaskQuality quality = measureMaskQuality(mask, people);
+  EXPECT_EQ(quality.regionCount, 3);
   EXPECT_NEAR(quality.recall, 300.0 / 400.0, 1e-12);
   EXPECT_NEAR(quality.precision, 300.0 / 416.0, 1e-12);
-  const MaskQuality nothing = maskQuality(cv::Mat::zeros(60, 80, CV_8UC1), people);
-  EXPECT_EQ(nothing.regions, 0);
+  const MaskQuality nothing = measureMaskQuality(cv::Mat::zeros(60, 80, CV_8UC1), people);
+  EXPECT_EQ(nothing.regionCount, 0);
   EXPECT_EQ(nothing.recall, 0.0);
   EXPECT_EQ(nothing.precision, 1.0);
 }

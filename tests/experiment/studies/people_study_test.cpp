@@ -16,9 +16,9 @@ TEST(PeopleScenario, IsDrawnFromItsSeedAlone) {
     const auto one = makePeopleScenario(name, PeopleClothes::Different, 5);
     const auto again = makePeopleScenario(name, PeopleClothes::Different, 5);
     ASSERT_TRUE(one) << name;
-    EXPECT_EQ(one->scene.people[0].position(3.0), again->scene.people[0].position(3.0));
+    EXPECT_EQ(one->scene.people[0].positionAt(3.0), again->scene.people[0].positionAt(3.0));
     const auto other = makePeopleScenario(name, PeopleClothes::Different, 6);
-    EXPECT_NE(one->scene.people[0].position(3.0), other->scene.people[0].position(3.0));
+    EXPECT_NE(one->scene.people[0].positionAt(3.0), other->scene.people[0].positionAt(3.0));
   }
   EXPECT_FALSE(makePeopleScenario("dance", PeopleClothes::Similar, 1));
 }
@@ -29,8 +29,8 @@ TEST(PeopleScenario, CrossingComesAsNearAsItSays) {
     ASSERT_TRUE(scenario);
     double nearest = 10.0;
     for (double time = 1.3; time < 5.5; time += 0.01) {
-      nearest = std::min(nearest, (scenario->scene.people[0].position(time) -
-                                   scenario->scene.people[1].position(time))
+      nearest = std::min(nearest, (scenario->scene.people[0].positionAt(time) -
+                                   scenario->scene.people[1].positionAt(time))
                                       .norm());
     }
     EXPECT_GT(nearest, 0.44);
@@ -61,11 +61,11 @@ TEST(PeopleStudy, OursKeepsTwoInSimilarClothesApart) {
   ASSERT_TRUE(trials);
   ASSERT_EQ(trials->size(), 1U);
   const PeopleTrial& trial = trials->front();
-  EXPECT_TRUE(trial.identitiesKept);
+  EXPECT_TRUE(trial.hasKeptIdentities);
   EXPECT_GT(trial.mota, 0.85);
-  EXPECT_LT(trial.motp, 0.1);         // meters
-  EXPECT_LE(trial.longestGhost, 1.0); // seconds: the bar
-  EXPECT_LE(trial.longestMissed, 1.0);
+  EXPECT_LT(trial.motp, 0.1);                // meters
+  EXPECT_LE(trial.longestGhostSeconds, 1.0); // seconds: the bar
+  EXPECT_LE(trial.longestMissedSeconds, 1.0);
   // A person of 1.75 m and 75 kg is 0.075 m³; the hull is larger.
   EXPECT_GT(trial.hullVolume, 0.04);
   EXPECT_LT(trial.hullVolume, 0.4);
@@ -74,9 +74,9 @@ TEST(PeopleStudy, OursKeepsTwoInSimilarClothesApart) {
   EXPECT_GT(trial.allPersonsResult.silhouette.recall, 0.5);
   EXPECT_GT(trial.allPersonsResult.silhouette.precision, 0.2);
   EXPECT_LT(trial.allPersonsResult.silhouette.iou, trial.allPersonsResult.silhouette.recall);
-  ASSERT_EQ(trial.persons.size(), 2U);
-  EXPECT_GT(trial.persons[0].height, 1.6);
-  EXPECT_LT(trial.persons[0].heightError, 0.3);
+  ASSERT_EQ(trial.personResults.size(), 2U);
+  EXPECT_GT(trial.personResults[0].height, 1.6);
+  EXPECT_LT(trial.personResults[0].heightError, 0.3);
 }
 
 // Mohedano et al. 2009, figure 4(a), as far as it comes out: a review measured recalls of 0.44 and
@@ -111,8 +111,8 @@ TEST(PeopleStudy, MotionAloneLosesTwoWhoWalkTogetherAndColorKeepsThem) {
   ASSERT_EQ(trials->size(), 2U);
   ASSERT_EQ((*trials)[0].method, "mohedano-ms");
   ASSERT_EQ((*trials)[1].method, "mohedano-msc");
-  EXPECT_FALSE((*trials)[0].identitiesKept);
-  EXPECT_TRUE((*trials)[1].identitiesKept);
+  EXPECT_FALSE((*trials)[0].hasKeptIdentities);
+  EXPECT_TRUE((*trials)[1].hasKeptIdentities);
 }
 
 TEST(PeopleStudy, RunsInARoomAsItDoesInAnIdealOne) {
@@ -127,7 +127,7 @@ TEST(PeopleStudy, RunsInARoomAsItDoesInAnIdealOne) {
   ASSERT_TRUE(trials);
   const PeopleTrial& trial = trials->front();
   EXPECT_EQ(trial.grade, Grade::Room);
-  EXPECT_EQ(trial.persons.size(), 2U);
+  EXPECT_EQ(trial.personResults.size(), 2U);
   EXPECT_TRUE(std::isfinite(trial.allPersonsResult.found)); // two cameras see somebody at times
   EXPECT_EQ(trial.pictures.size(), 3U);
 }
@@ -147,20 +147,20 @@ TEST(PeopleSummary, CountsAndTakesTheWorst) {
   PeopleTrial trial;
   trial.scenario = "crossing";
   trial.method = "people";
-  trial.identitiesKept = true;
+  trial.hasKeptIdentities = true;
   trial.mota = 0.8;
-  trial.longestGhost = 0.5;
+  trial.longestGhostSeconds = 0.5;
   PeopleTrial second = trial;
-  second.identitiesKept = false;
+  second.hasKeptIdentities = false;
   second.mota = 0.6;
-  second.longestGhost = 1.5;
+  second.longestGhostSeconds = 1.5;
   second.motp = std::nan("");
   const auto sums = summarize({trial, second});
   ASSERT_EQ(sums.size(), 1U);
-  EXPECT_EQ(sums[0].runs, 2);
+  EXPECT_EQ(sums[0].runCount, 2);
   EXPECT_EQ(sums[0].keptRunCount, 1);
   EXPECT_NEAR(sums[0].mota, 0.7, 1e-12);
-  EXPECT_EQ(sums[0].longestGhost, 1.5);
+  EXPECT_EQ(sums[0].longestGhostSeconds, 1.5);
   EXPECT_EQ(sums[0].motp, 0.0);
   EXPECT_NE(peopleReport("crossing", {trial, second}).html().find("1 of 2"), std::string::npos);
 }
@@ -190,7 +190,7 @@ PeopleTrial trialOf(const char* scenario, const char* method, bool kept) {
   PeopleTrial trial;
   trial.scenario = scenario;
   trial.method = method;
-  trial.identitiesKept = kept;
+  trial.hasKeptIdentities = kept;
   return trial;
 }
 
@@ -262,7 +262,7 @@ TEST(PeopleReport, SaysWhatMotionAloneCovers) {
 TEST(PeopleReport, GroupsPeopleByHeightWhereSomeAreSmall) {
   PeopleTrial trial = trialOf("heights", "people", false);
   EXPECT_EQ(peopleReport("heights", {trial}).html().find("By height"), std::string::npos);
-  trial.persons = {{1.1, 0.0, {}, std::nan("")}, {1.9, 0.75, {0.8, 0.7, 0.6}, 0.02}};
+  trial.personResults = {{1.1, 0.0, {}, std::nan("")}, {1.9, 0.75, {0.8, 0.7, 0.6}, 0.02}};
   const std::string page = peopleReport("heights", {trial}).html();
   EXPECT_NE(page.find("By height"), std::string::npos);
   EXPECT_NE(page.find("below 1.3 m"), std::string::npos);
@@ -291,7 +291,7 @@ TEST(PeoplePictures, ShowTheMeetingAndBothSidesOfIt) {
   EXPECT_LT(moments[1].frame, moments[2].frame);
   const double time = crossing->scene.timeOf(moments[1].frame);
   const auto& people = crossing->scene.people;
-  EXPECT_LT((people[0].position(time) - people[1].position(time)).norm(),
+  EXPECT_LT((people[0].positionAt(time) - people[1].positionAt(time)).norm(),
             0.7); // 0.45 to 0.6 m is aimed at
   const auto visit = makePeopleScenario("enter-leave", PeopleClothes::Different, 1);
   ASSERT_TRUE(visit);

@@ -39,11 +39,12 @@ TEST_P(StudyExperiments, CanceledBeforeTheFirstSceneNothingIsWritten) {
   const auto made = GetParam().run({folder_, 1, [](double) { return false; }});
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, ErrorCode::Canceled);
-  EXPECT_FALSE(std::filesystem::exists(folder_ / GetParam().report));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / GetParam().reportFile));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, StudyExperiments,
-                         testing::ValuesIn(studyExperiments().begin(), studyExperiments().end()),
+                         testing::ValuesIn(boxAndPeopleExperiments().begin(),
+                                           boxAndPeopleExperiments().end()),
                          [](const auto& test) {
                            std::string name(test.param.name);
                            std::erase(name, '-');
@@ -52,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(All, StudyExperiments,
 
 TEST(ListedExperiments, HaveEverySceneOfPeopleUnderItsHeading) {
   const auto listed = listedExperiments();
-  EXPECT_EQ(listed.size(), figureExperiments().size() + studyExperiments().size());
+  EXPECT_EQ(listed.size(), figureExperiments().size() + boxAndPeopleExperiments().size());
   EXPECT_TRUE(std::ranges::is_sorted(listed, {}, &FigureExperiment::group));
   for (const std::string& scene : peopleScenarioNames()) {
     const auto found = std::ranges::find(listed, "people-" + scene, &FigureExperiment::name);

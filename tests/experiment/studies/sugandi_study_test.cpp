@@ -81,8 +81,8 @@ TEST(SugandiStudy, DrawsTracksAndFrames) {
   const auto study = studyBoxes({clip}, 2, [](const BoxStudyRow&) { return true; });
   ASSERT_TRUE(study);
   ASSERT_EQ(study->figures.size(), 1U);
-  EXPECT_EQ(study->figures[0].frames.cols, 5 * 240); // five frames, 240 pixels wide each
-  EXPECT_EQ(study->figures[0].frames.rows, 2 * 180); // 100 and 300 particles
+  EXPECT_EQ(study->figures[0].framesImage.cols, 5 * 240); // five frames, 240 pixels wide each
+  EXPECT_EQ(study->figures[0].framesImage.rows, 2 * 180); // 100 and 300 particles
   // A head, then six frames of the truth and of seven methods, of one run each.
   EXPECT_EQ(std::ranges::count(boxTracksCsv(*study), '\n'), 1 + 6 * 8);
   const auto folder =
@@ -123,7 +123,7 @@ double sugandiRmse(const BoxClip& clip, const std::vector<cv::Mat>& images, int 
     for (std::size_t frame = 1; frame < images.size(); ++frame) {
       found.push_back((*follower)->step(images[frame]));
     }
-    sum += measureBoxes(found, clip.truth, clip.radius).rmse;
+    sum += measureBoxes(found, clip.truth, clip.hitRadiusPx).rmse;
   }
   return sum / seeds;
 }
@@ -160,8 +160,8 @@ TEST(BoxPerturbationStudy, ReportsASizePerRow) {
   ASSERT_TRUE(rows);
   study.perturbedRows = std::move(*rows);
   ASSERT_EQ(study.perturbedRows.size(), 8U); // two methods, four sizes
-  EXPECT_EQ(study.perturbedRows.front().runs, 10);
-  EXPECT_EQ(study.perturbedRows.back().runs, 5); // CamShift has no seeds
+  EXPECT_EQ(study.perturbedRows.front().runCount, 10);
+  EXPECT_EQ(study.perturbedRows.back().runCount, 5); // CamShift has no seeds
   EXPECT_TRUE(study.perturbedRows.front().reportsConfidence);
   EXPECT_FALSE(study.perturbedRows.back().reportsConfidence);
   EXPECT_EQ(std::ranges::count(perturbedBoxesCsv(study.perturbedRows), '\n'), 9);
@@ -183,7 +183,7 @@ TEST(BoxPerturbationStudy, HistogramStaysOnThePedestrian) {
   ASSERT_TRUE(rows);
   for (const BoxPerturbationRow& row : *rows) {
     EXPECT_GT(row.metrics.precision, row.scale < 1.3 ? 0.9 : 0.75) << row.scale;
-    EXPECT_LT(row.confidentlyWrong, 0.05) << row.scale;
+    EXPECT_LT(row.confidentlyWrongShare, 0.05) << row.scale;
   }
 }
 
@@ -200,7 +200,7 @@ TEST(SugandiStudy, HistogramStaysOnTheJuggledBalls) {
   ASSERT_TRUE(study);
   for (const BoxRequirement& bar :
        study->requirements) { // within a ball's radius on at least 85 % of the frames
-    EXPECT_TRUE(bar.reached) << bar.description;
+    EXPECT_TRUE(bar.isMet) << bar.description;
   }
 }
 

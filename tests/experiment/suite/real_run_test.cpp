@@ -49,7 +49,7 @@ TEST(MeasuredPart, KeepsTheExtentsOfItsSamples) {
   ScenarioRun run;
   run.frameCount = 40;
   run.measuredFrames = {3, 21};
-  run.equalCandidates = 2;
+  run.equalCandidateCount = 2;
   run.truth.samples = {sampleAt(3, 0.1), sampleAt(20, 0.9), sampleAt(21, 0.2)};
   run.extents.resize(3);
   run.extents[1].radius = 0.9;
@@ -57,7 +57,7 @@ TEST(MeasuredPart, KeepsTheExtentsOfItsSamples) {
   const ScenarioRun part = measuredPart(run);
   ASSERT_EQ(part.extents.size(), 2U);
   EXPECT_EQ(part.extents[1].radius, 0.2);
-  EXPECT_EQ(part.equalCandidates, 2);
+  EXPECT_EQ(part.equalCandidateCount, 2);
 }
 
 TEST(MeasuredPart, KnowsWhetherFramesLieBetween) {
@@ -103,7 +103,7 @@ ScenarioRun markedRun() {
 SphereEstimate estimateBeside(double pixels, bool valid, double existence) {
   SphereEstimate estimate;
   estimate.mean = {0.01 * pixels, 0.0, 1.0}; // 100 px per meter
-  estimate.valid = valid;
+  estimate.isValid = valid;
   estimate.existenceProbability = existence;
   return estimate;
 }
@@ -127,7 +127,7 @@ TEST(PixelRecorder, MeasuresInTheImages) {
   // is 0.9 * (0.9 - 7/9) + 0.1 * (1 - 0.1).
   EXPECT_NEAR(*result.row.existenceEce, 0.9 * (0.9 - 7.0 / 9.0) + 0.1 * 0.9, 1e-9);
   EXPECT_FALSE(result.row.rmseMm.has_value());
-  EXPECT_EQ(result.row.frames, 10.0);
+  EXPECT_EQ(result.row.frameCount, 10.0);
   EXPECT_EQ(result.row.usPerFrame, 12.0);
   EXPECT_TRUE(parseTrace(traceText(result.trace)).has_value());
   EXPECT_TRUE(parseRow(rowText(result.row)).has_value());
@@ -161,7 +161,7 @@ TEST(PixelRecorder, SaysNothingWithoutMarks) {
 BoxClip diskClip() {
   BoxClip clip;
   clip.name = "disk";
-  clip.radius = 8.0;
+  clip.hitRadiusPx = 8.0;
   const auto centerOf = [](std::int64_t frame) { return cv::Point(30 + 2 * int(frame), 40); };
   for (std::int64_t frame = 0; frame < 8; ++frame) {
     clip.truth.push_back(ImageBox::around(
@@ -187,11 +187,11 @@ TEST(ImageClipRun, FollowsAndMeasures) {
   ASSERT_TRUE(result->has_value());
   const SuiteRow& row = (*result)->row;
   EXPECT_EQ(row.key, key);
-  EXPECT_EQ(row.frames, 7.0) << "the first box is given";
+  EXPECT_EQ(row.frameCount, 7.0) << "the first box is given";
   EXPECT_LT(*row.rmsePx, 8.0) << "within the disk";
   EXPECT_EQ(row.lostPercent, 0.0);
   EXPECT_EQ(row.framesToConverge, 0.0);
-  EXPECT_GT(*row.success, 0.3);
+  EXPECT_GT(*row.boxSuccess, 0.3);
   EXPECT_FALSE(row.rmseMm.has_value());
   const auto trace = parseTrace(traceText((*result)->trace));
   ASSERT_TRUE(trace.has_value());
@@ -215,16 +215,16 @@ TEST(SuiteRunner, RunsRealClipsInTheirGradeByTheMethodsThatCan) {
   std::vector<ScenarioDeclaration> catalog(3);
   catalog[0].name = "S0-slow";
   catalog[1].name = "R1-hand";
-  catalog[1].recorded = true;
+  catalog[1].isRecorded = true;
   catalog[2].name = "R2-disk";
-  catalog[2].recorded = true;
+  catalog[2].isRecorded = true;
   catalog[2].clip = [] { return Result<BoxClip>(diskClip()); };
   SuiteRequest request;
   request.scenarios = *selectScenarios(catalog, {});
   request.grades = {Grade::Ideal, Grade::Real};
   request.methods =
       *selectMethods({"triangulation", "camshift", "histogram", "camshift-box"}, allSuiteMethods());
-  request.seeds = 1;
+  request.seedCount = 1;
   const auto jobs = planSuite(request, {});
   ASSERT_EQ(jobs.size(), 3U);
   EXPECT_EQ(jobs[0].grade, Grade::Ideal);
@@ -250,13 +250,13 @@ TEST(SuiteReport, ShowsClipsInPixelsAndNamesThoseThatAreMissing) {
   catalog[0].name = "R2-disk";
   catalog[0].family = "R2";
   catalog[0].description = "A disk. Tuned on: no.";
-  catalog[0].recorded = true;
+  catalog[0].isRecorded = true;
   catalog[0].clip = [] { return Result<BoxClip>(diskClip()); };
   SuiteRequest request;
   request.scenarios = *selectScenarios(catalog, {});
   request.grades = {Grade::Real};
   request.methods = *selectMethods({"histogram"}, imageClipMethods());
-  request.seeds = 1;
+  request.seedCount = 1;
   SuiteResults results;
   const auto sink = [&](const SuiteResult& result) -> Status {
     results[result.row.key] = result;

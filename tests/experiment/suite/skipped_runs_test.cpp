@@ -50,7 +50,7 @@ std::vector<ScenarioDeclaration> catalogWithGaps() {
     ScenarioDeclaration scenario;
     scenario.name = name;
     scenario.family = name.substr(0, 2);
-    scenario.seeds = 3;
+    scenario.seedCount = 3;
     scenario.make = [=](std::uint64_t seed, Grade grade) -> Result<ScenarioRun> {
       if (isMissing(seed)) {
         return failure(ErrorCode::Undetermined, "", name, "no position");
@@ -76,7 +76,7 @@ SuiteRequest wildRequest(const std::vector<ScenarioDeclaration>& catalog) {
 Status runInto(SuiteStore& store, const SuiteRequest& request) {
   const auto sink = [&](const SuiteResult& result) { return store.append(result); };
   const auto skip = [&](const SuiteJob&, const SkippedRun& run) { return store.append(run); };
-  return runSuite(planSuite(request, store.results(), store.skipped()), 2, sink, kNever, skip);
+  return runSuite(planSuite(request, store.results(), store.skippedRuns()), 2, sink, kNever, skip);
 }
 
 std::set<RunKey> keysOf(const SuiteResults& results) {
@@ -117,11 +117,11 @@ TEST(SkippedRuns, DoNotStopTheOthers) {
                              {"S1-none", Grade::Wild, 1, "no position"},
                              {"S1-none", Grade::Wild, 2, "no position"},
                              {"S1-none", Grade::Wild, 3, "no position"}};
-  EXPECT_EQ(store->skipped(), expected);
-  EXPECT_TRUE(planSuite(request, store->results(), store->skipped()).empty()) << "all is done";
+  EXPECT_EQ(store->skippedRuns(), expected);
+  EXPECT_TRUE(planSuite(request, store->results(), store->skippedRuns()).empty()) << "all is done";
   EXPECT_EQ(planSuite(request, store->results()).size(), 4U);
 
-  const auto nothing = scenariosWithoutRuns(store->skipped(), keysOf(store->results()));
+  const auto nothing = scenariosWithoutRuns(store->skippedRuns(), keysOf(store->results()));
   ASSERT_EQ(nothing.size(), 1U);
   EXPECT_EQ(nothing[0].scenario, "S1-none");
   EXPECT_EQ(nothing[0].grade, Grade::Wild);
@@ -129,7 +129,7 @@ TEST(SkippedRuns, DoNotStopTheOthers) {
   // Another program that opens the folder knows them; a merged folder has them, too.
   const auto again = SuiteStore::open(folder / "out");
   ASSERT_TRUE(again.has_value());
-  EXPECT_EQ(again->skipped(), expected);
+  EXPECT_EQ(again->skippedRuns(), expected);
   auto merged = SuiteStore::open(folder / "merged");
   ASSERT_TRUE(merged.has_value());
   merged->merge(*SuiteStore::readSkipped(folder / "out"));
@@ -158,7 +158,7 @@ TEST(SkippedRuns, AreNotWhatOtherErrorsAndRecordingsGive) {
   auto run = runSuite(planSuite(request, {}), 1, sink, kNever, skip);
   ASSERT_FALSE(run.has_value());
   EXPECT_EQ(run.error().code, ErrorCode::FileMissing);
-  catalog[1].recorded = true;
+  catalog[1].isRecorded = true;
   request.grades = {Grade::Real};
   run = runSuite(planSuite(request, {}), 1, sink, kNever, skip);
   ASSERT_FALSE(run.has_value()) << "a recording has nothing that is drawn";

@@ -28,8 +28,8 @@ TEST(SuiteBars, OfThisVersionAreForIdealImagesAndAsStrictAsEver) {
                                      40,  2,   0,   2,   0,   5,    3,    1e-3, 0.05, 98, 2,  1};
   std::vector<double> present;
   for (const SuiteRequirement& bar : suiteRequirements()) {
-    if (!bar.isAim) {
-      present.push_back(bar.high);
+    if (!bar.isAimForNextVersion) {
+      present.push_back(bar.upperLimit);
       EXPECT_EQ(bar.grade, "ideal") << bar.description;
     }
   }
@@ -43,7 +43,7 @@ TEST(SuiteBars, AskOfAllThreeFiguresOfConsistencyTheSame) {
   const auto results = measureRequirements({});
   const auto limits = [&](const std::string& grade, const std::string& beginning) {
     const RequirementResult result = barOf(results, grade, beginning);
-    return std::pair(result.requirement->low, result.requirement->high);
+    return std::pair(result.requirement->lowerLimit, result.requirement->upperLimit);
   };
   const std::string covered95 = "Truth inside the stated 95 % ellipsoid, median";
   const std::string covered50 = "Truth inside the stated 50 % ellipsoid, median";
@@ -73,13 +73,15 @@ TEST(SuiteBars, JudgeEveryFigureOfBeliefByMedianAndWorstInEveryGrade) {
   }
   // 75 % inside the 95 % ellipsoid: errors too large by 7.815 / 4.108 (chi-square with three
   // degrees of freedom, 95 and 75 %). 80 %: 7.815 / 4.642.
+  EXPECT_EQ(barOf(results, "real", "Truth inside the stated 95 % ellipsoid, worst")
+                .requirement->lowerLimit,
+            75.0);
   EXPECT_EQ(
-      barOf(results, "real", "Truth inside the stated 95 % ellipsoid, worst").requirement->low,
-      75.0);
-  EXPECT_EQ(barOf(results, "real", "Normalized estimation error squared, worst").requirement->high,
-            5.7);
-  EXPECT_EQ(barOf(results, "room", "Normalized estimation error squared, worst").requirement->high,
-            5.1);
+      barOf(results, "real", "Normalized estimation error squared, worst").requirement->upperLimit,
+      5.7);
+  EXPECT_EQ(
+      barOf(results, "room", "Normalized estimation error squared, worst").requirement->upperLimit,
+      5.1);
 }
 
 TEST(SuiteBars, OfAllRunsOfIdealAreOfTheFirstFamiliesAlone) {
@@ -98,15 +100,16 @@ TEST(SuiteBars, OfAllRunsOfIdealAreOfTheFirstFamiliesAlone) {
   const RequirementResult covered =
       barOf(results, "ideal", "Truth inside the stated 95 % ellipsoid, mean of all runs of S0 to");
   EXPECT_EQ(covered.value, 95.0);
-  EXPECT_EQ(covered.runs, 2U);
+  EXPECT_EQ(covered.runCount, 2U);
   EXPECT_NEAR(barOf(results, "ideal", "False alarms per frame").value, 0.05, 1e-12);
-  EXPECT_EQ(barOf(results, "ideal", "Expected calibration error of P(exists), all runs").runs, 2U);
+  EXPECT_EQ(barOf(results, "ideal", "Expected calibration error of P(exists), all runs").runCount,
+            2U);
   // All of them are judged by the figures of belief.
   const RequirementResult worst =
       barOf(results, "ideal", "Truth inside the stated 95 % ellipsoid, worst scenario");
   EXPECT_EQ(worst.scenario, "S11-held");
   EXPECT_EQ(worst.value, 20.0);
-  EXPECT_EQ(worst.runs, 4U);
+  EXPECT_EQ(worst.runCount, 4U);
 }
 
 TEST(SuiteBars, NobodyMayBeSureOfATie) {
@@ -119,9 +122,9 @@ TEST(SuiteBars, NobodyMayBeSureOfATie) {
   const RequirementResult sure = barOf(results, "room", "Sure of a tie");
   EXPECT_EQ(sure.value, 40.0);
   EXPECT_EQ(sure.scenario, "S19-even-start");
-  EXPECT_EQ(sure.requirement->high, 0.5);
+  EXPECT_EQ(sure.requirement->upperLimit, 0.5);
   EXPECT_FALSE(sure.isMet());
-  EXPECT_EQ(barOf(results, "wild", "Sure of a tie").requirement->high, 2.0);
+  EXPECT_EQ(barOf(results, "wild", "Sure of a tie").requirement->upperLimit, 2.0);
   EXPECT_FALSE(barOf(results, "ideal", "Sure of a tie").isMeasured());
 }
 
@@ -141,14 +144,14 @@ TEST(SuiteBars, BeliefIsJudgedByMedianAndWorstScenarioOfItsGrade) {
       barOf(results, "room", "Truth inside the stated 95 % ellipsoid, median of the scenarios");
   EXPECT_EQ(middle.value, 94.0);
   EXPECT_TRUE(middle.isMet());
-  EXPECT_TRUE(middle.requirement->isAim);
+  EXPECT_TRUE(middle.requirement->isAimForNextVersion);
   const RequirementResult worst =
       barOf(results, "room", "Truth inside the stated 95 % ellipsoid, worst scenario");
   EXPECT_EQ(worst.value, 46.0);
   EXPECT_EQ(worst.scenario, "S4-desk-cloud");
   EXPECT_FALSE(worst.isMet());
   EXPECT_NEAR(worst.shortfall(), 34.0, 1e-12);
-  EXPECT_EQ(worst.runs, 3U);
+  EXPECT_EQ(worst.runCount, 3U);
   const RequirementResult sure =
       barOf(results, "room",
             "Sure and wrong: frames with P(exists) above 0.95 and farther off than three stated "

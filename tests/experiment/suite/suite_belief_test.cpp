@@ -16,24 +16,24 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 TEST(ScenarioSummary, GivesMedianAndWorstByName) {
   const std::vector<ScenarioValue> values{{"a", 97.0}, {"b", 46.0}, {"c", kNothing}, {"d", 90.0}};
   const ScenarioSummary covered = summarizeScenarios(values, false);
-  EXPECT_EQ(covered.median, 90.0);
-  EXPECT_EQ(covered.worst, 46.0);
+  EXPECT_EQ(covered.medianValue, 90.0);
+  EXPECT_EQ(covered.worstValue, 46.0);
   EXPECT_EQ(covered.worstScenario, "b");
   const ScenarioSummary wrong = summarizeScenarios(values, true);
-  EXPECT_EQ(wrong.worst, 97.0);
+  EXPECT_EQ(wrong.worstValue, 97.0);
   EXPECT_EQ(wrong.worstScenario, "a");
 }
 
 TEST(ScenarioSummary, TakesTheMiddleOfTwoAndTheFirstOfEquals) {
   const std::vector<ScenarioValue> values{{"a", 1.0}, {"b", 4.0}, {"c", 2.0}, {"d", 4.0}};
-  EXPECT_EQ(summarizeScenarios(values, true).median, 3.0);
+  EXPECT_EQ(summarizeScenarios(values, true).medianValue, 3.0);
   EXPECT_EQ(summarizeScenarios(values, true).worstScenario, "b");
 }
 
 TEST(ScenarioSummary, OfNothingIsNothing) {
   const std::vector<ScenarioValue> values{{"a", kNothing}};
-  EXPECT_TRUE(std::isnan(summarizeScenarios(values, true).median));
-  EXPECT_TRUE(std::isnan(summarizeScenarios({}, true).worst));
+  EXPECT_TRUE(std::isnan(summarizeScenarios(values, true).medianValue));
+  EXPECT_TRUE(std::isnan(summarizeScenarios({}, true).worstValue));
   EXPECT_TRUE(summarizeScenarios(values, false).worstScenario.empty());
 }
 
@@ -47,7 +47,7 @@ TEST(BeliefMetrics, AreMeansOverRunsButForNeesAndCalibration) {
     result.row.nees = nees[seed];
     result.row.confidentlyWrongPercent = static_cast<double>(seed); // mean 1
     // All runs together: 30 forecasts of 0.9 of which 27, 24 and 21 of 30 came true: 0.8.
-    result.trace.reliability[9] = {30, 27.0, static_cast<std::int64_t>(27 - 3 * seed)};
+    result.trace.reliabilityCounts[9] = {30, 27.0, static_cast<std::int64_t>(27 - 3 * seed)};
     made.add(result);
   }
   const auto cells = made.cells();
@@ -75,8 +75,8 @@ TEST(BeliefMetrics, OfTiesAreOfTheScenariosThatHaveThem) {
   });
   ASSERT_NE(tie, figures.end());
   const ScenarioSummary& found =
-      summaries[0].metrics[static_cast<std::size_t>(tie - figures.begin())];
-  EXPECT_EQ(found.median, 12.0) << "the other scenario has no tie";
+      summaries[0].metricSummaries[static_cast<std::size_t>(tie - figures.begin())];
+  EXPECT_EQ(found.medianValue, 12.0) << "the other scenario has no tie";
   EXPECT_EQ(found.worstScenario, "S19-even-start");
 }
 
@@ -101,12 +101,12 @@ TEST(BeliefSummary, IsOneForEachGradeAndMethod) {
   const BeliefSummary& room = summaries[2];
   EXPECT_EQ(room.grade, Grade::Room);
   EXPECT_EQ(room.method, "dewpoint");
-  EXPECT_EQ(room.scenarios, 2U);
-  EXPECT_EQ(room.runs, 2U);
-  ASSERT_EQ(room.metrics.size(), beliefMetrics().size());
-  EXPECT_EQ(room.metrics[1].median, 40.0) << "of 66 and 14";
-  EXPECT_EQ(room.metrics[1].worst, 14.0);
-  EXPECT_EQ(room.metrics[1].worstScenario, "S4-desk-cloud");
+  EXPECT_EQ(room.scenarioCount, 2U);
+  EXPECT_EQ(room.runCount, 2U);
+  ASSERT_EQ(room.metricSummaries.size(), beliefMetrics().size());
+  EXPECT_EQ(room.metricSummaries[1].medianValue, 40.0) << "of 66 and 14";
+  EXPECT_EQ(room.metricSummaries[1].worstValue, 14.0);
+  EXPECT_EQ(room.metricSummaries[1].worstScenario, "S4-desk-cloud");
   EXPECT_TRUE(summarizeBelief({}).empty());
 }
 

@@ -36,7 +36,7 @@ SphereEstimate estimateAt(const Eigen::Vector3d& place, double sigma = 0.003) {
   SphereEstimate estimate;
   estimate.mean = place;
   estimate.covariance = sigma * sigma * Eigen::Matrix3d::Identity();
-  estimate.valid = true;
+  estimate.isValid = true;
   estimate.existenceProbability = 1.0;
   return estimate;
 }
@@ -70,7 +70,7 @@ TEST(SuiteRecorder, SplitsAConstantError) {
   EXPECT_EQ(*row.existenceEce, 0.0);
   EXPECT_EQ(*row.mota, 1.0);
   EXPECT_EQ(*row.usPerFrame, 12.0);
-  EXPECT_EQ(*row.frames, kFrames);
+  EXPECT_EQ(*row.frameCount, kFrames);
   EXPECT_FALSE(row.framesToReacquire || row.framesToDeclareLoss || row.blackoutRmseMm ||
                row.largestStepMm)
       << "nothing happened that they could refer to";
@@ -82,7 +82,7 @@ TEST(SuiteRecorder, CountsFromConvergenceOn) {
   SuiteRecorder recorder(run, "test");
   for (std::int64_t k = 0; k < kFrames; ++k) {
     SphereEstimate estimate = estimateAt({k < 4 ? 0.5 : 0.002, 0.0, 0.0});
-    estimate.valid = k < 15;
+    estimate.isValid = k < 15;
     estimate.existenceProbability = k < 15 ? 1.0 : 0.0;
     recorder.add({estimate});
   }
@@ -134,7 +134,7 @@ TEST(SuiteRecorder, JitterIsTheNoiseOfSuccessiveFrames) {
   SuiteRecorder recorder(run, "test");
   for (std::int64_t k = 0; k < kFrames; ++k) {
     SphereEstimate estimate = estimateAt({k < 3 ? 0.5 : k % 2 == 0 ? 0.002 : 0.0, 0.0, 0.0});
-    estimate.valid = k != 12;
+    estimate.isValid = k != 12;
     estimate.existenceProbability = k != 12 ? 1.0 : 0.0;
     recorder.add({estimate});
   }
@@ -151,7 +151,7 @@ TEST(SuiteRecorder, ComparesWithTheExtent) {
   for (std::int64_t k = 0; k < kFrames; ++k) {
     SphereEstimate estimate = estimateAt({k < 10 ? 0.010 : 0.025, 0.0, 0.0});
     estimate.radius = 0.04;
-    estimate.valid = k < 16;
+    estimate.isValid = k < 16;
     estimate.existenceProbability = k < 16 ? 1.0 : 0.0;
     recorder.add({estimate});
   }
@@ -186,13 +186,13 @@ TEST(SuiteRecorder, SizeCountsWhereItIsEstimated) {
 TEST(SuiteRecorder, NobodyMayBeSureOfATie) {
   // Of 20 frames: 12 with P = 0.5, 5 with 0.9, 3 silent. The estimate is always right.
   ScenarioRun run = restingRun(1);
-  const auto rowOf = [&](int equalCandidates) {
-    run.equalCandidates = equalCandidates;
+  const auto rowOf = [&](int equalCandidateCount) {
+    run.equalCandidateCount = equalCandidateCount;
     SuiteRecorder recorder(run, "test");
     for (std::int64_t k = 0; k < kFrames; ++k) {
       SphereEstimate estimate = estimateAt({0.0, 0.0, 0.0});
       estimate.existenceProbability = k < 12 ? 0.5 : k < 17 ? 0.9 : 0.0;
-      estimate.valid = k < 17;
+      estimate.isValid = k < 17;
       recorder.add({estimate});
     }
     return recorder.result(0.0).row;
@@ -230,8 +230,8 @@ TEST(SuiteRecorder, FramesOutOfViewAreNotLost) {
   SuiteRecorder recorder(run, "test");
   for (std::int64_t k = 0; k < kFrames; ++k) {
     SphereEstimate estimate = estimateAt({0, 0, 0});
-    estimate.valid = k < 7 || k >= 14;
-    estimate.existenceProbability = estimate.valid ? 1.0 : 0.0;
+    estimate.isValid = k < 7 || k >= 14;
+    estimate.existenceProbability = estimate.isValid ? 1.0 : 0.0;
     recorder.add({estimate});
   }
   const SuiteRow row = recorder.result(0.0).row;
@@ -244,12 +244,12 @@ TEST(SuiteRecorder, LossHasToBeDeclared) {
   ScenarioRun run = restingRun(1);
   run.events = {{ScenarioEvent::Kind::Vanish, 10, -1}};
   for (TrajectorySample& sample : run.truth.samples) {
-    sample.valid = sample.frame < 10;
+    sample.isValid = sample.frame < 10;
   }
   SuiteRecorder recorder(run, "test");
   for (std::int64_t k = 0; k < kFrames; ++k) {
     SphereEstimate estimate = estimateAt({0, 0, 0});
-    estimate.valid = k < 12;
+    estimate.isValid = k < 12;
     estimate.existenceProbability = k < 12 ? 1.0 : 0.0;
     recorder.add({estimate});
   }

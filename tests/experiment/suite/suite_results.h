@@ -20,9 +20,9 @@ inline SuiteResult resultOf(const std::string& scenario, Grade grade, const std:
   SuiteResult result;
   result.row.key = result.trace.key = {scenario, grade, method, seed};
   result.row.framesToConverge = 0.0;
-  result.row.frames = static_cast<double>(errorsMm.size());
+  result.row.frameCount = static_cast<double>(errorsMm.size());
   result.trace.errorsMm = {errorsMm};
-  result.trace.reliability.resize(kReliabilityBins);
+  result.trace.reliabilityCounts.resize(kReliabilityBins);
   return result;
 }
 

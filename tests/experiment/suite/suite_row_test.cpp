@@ -15,7 +15,7 @@ SuiteRow sampleRow() {
   row.rmseMm = 1.25;
   row.framesToConverge = std::numeric_limits<double>::infinity();
   row.nees = std::numeric_limits<double>::quiet_NaN();
-  row.frames = 300.0;
+  row.frameCount = 300.0;
   return row;
 }
 
@@ -63,8 +63,8 @@ TEST(SuiteTrace, IsReadBackAsItWasWritten) {
   SuiteTrace trace;
   trace.key = {"S5-eight", Grade::Ideal, "camshift", 3};
   trace.errorsMm = {{1.234, std::numeric_limits<double>::quiet_NaN(), 0.5}, {10.0, 20.0, 30.0}};
-  trace.reliability.resize(kReliabilityBins);
-  trace.reliability[9] = {6, 5.5, 4};
+  trace.reliabilityCounts.resize(kReliabilityBins);
+  trace.reliabilityCounts[9] = {6, 5.5, 4};
   const std::string text = traceText(trace);
   const auto read = parseTrace(text);
   ASSERT_TRUE(read.has_value());
@@ -73,9 +73,9 @@ TEST(SuiteTrace, IsReadBackAsItWasWritten) {
   EXPECT_EQ(read->errorsMm[0][0], 1.234);
   EXPECT_TRUE(std::isnan(read->errorsMm[0][1]));
   EXPECT_EQ(read->errorsMm[1], trace.errorsMm[1]);
-  EXPECT_EQ(read->reliability[9].count, 6);
-  EXPECT_EQ(read->reliability[9].probabilitySum, 5.5);
-  EXPECT_EQ(read->reliability[9].hitCount, 4);
+  EXPECT_EQ(read->reliabilityCounts[9].count, 6);
+  EXPECT_EQ(read->reliabilityCounts[9].probabilitySum, 5.5);
+  EXPECT_EQ(read->reliabilityCounts[9].hitCount, 4);
   EXPECT_EQ(traceText(*read), text);
   EXPECT_FALSE(parseTrace(text.substr(0, text.size() - 8)).has_value());
 }

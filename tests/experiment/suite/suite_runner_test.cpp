@@ -116,7 +116,7 @@ TEST(SuiteRunner, PlansWhatIsNotDone) {
   EXPECT_EQ(runCount(jobs), 11);
   EXPECT_EQ(jobs[3].scenario->name, "S0-fast");
   EXPECT_EQ(jobs[3].methods, std::vector<std::string>{"triangulation"});
-  request.seeds = 5;
+  request.seedCount = 5;
   EXPECT_EQ(runCount(planSuite(request, done)), 3 * 5 * 2 - 1);
 }
 
@@ -190,7 +190,7 @@ TEST(SuiteStore, TakesTheResultsOfOtherFolders) {
   const test::TemporaryFolder folder;
   const auto catalog = smallCatalog();
   auto request = idealRequest(catalog);
-  request.seeds = 1;
+  request.seedCount = 1;
   for (const std::uint64_t seed : {1U, 2U}) {
     request.firstSeed = seed;
     auto store = SuiteStore::open(folder / std::to_string(seed));

@@ -293,8 +293,8 @@ TEST(BackgroundModel, FollowsLightThatFades) {
     EXPECT_EQ(count(labelsOf(model, now), PixelLabel::Background), kAll) << frame;
     model.learn(now, {});
   }
-  EXPECT_NEAR(model.light().minCoeff(), gain, 0.03); // noticed from a fortieth on
-  EXPECT_NEAR(model.light().maxCoeff(), gain, 0.03);
+  EXPECT_NEAR(model.relativeLight().minCoeff(), gain, 0.03); // noticed from a fortieth on
+  EXPECT_NEAR(model.relativeLight().maxCoeff(), gain, 0.03);
 }
 
 TEST(BackgroundModel, FollowsALampAndATint) {
@@ -304,11 +304,11 @@ TEST(BackgroundModel, FollowsALampAndATint) {
   EXPECT_LT(count(labelsOf(model, now), PixelLabel::Background), kAll / 2);
   model.adaptToLight(now);
   EXPECT_EQ(count(labelsOf(model, now), PixelLabel::Background), kAll);
-  EXPECT_NEAR(model.light()[0], 0.5, 0.02);
-  EXPECT_NEAR(model.light()[1], 0.6, 0.02);
-  EXPECT_NEAR(model.light()[2], 0.8, 0.02);
+  EXPECT_NEAR(model.relativeLight()[0], 0.5, 0.02);
+  EXPECT_NEAR(model.relativeLight()[1], 0.6, 0.02);
+  EXPECT_NEAR(model.relativeLight()[2], 0.8, 0.02);
   model.resetReferenceLight();
-  EXPECT_EQ(model.light().maxCoeff(), 1.0);
+  EXPECT_EQ(model.relativeLight().maxCoeff(), 1.0);
   EXPECT_EQ(count(labelsOf(model, now), PixelLabel::Background), kAll);
 }
 
@@ -332,7 +332,7 @@ TEST(BackgroundModel, TheBackgroundImageIsKnownFromTheFirstFrame) {
   const cv::Mat darker = lit(checkered(), cv::Scalar::all(0.7)); // the day it is used on
   model.adaptToLight(darker);
   EXPECT_EQ(count(labelsOf(model, darker), PixelLabel::Background), kAll);
-  EXPECT_EQ(model.light().maxCoeff(), 1.0) << "the light of the run is the usual one";
+  EXPECT_EQ(model.relativeLight().maxCoeff(), 1.0) << "the light of the run is the usual one";
   EXPECT_EQ(count(labelsOf(model, plain(0, 0, 255)), PixelLabel::Unknown), kAll);
   // What matches but did so in the background image is no target; anything else that matches is.
   EXPECT_TRUE(all(matchedRow(model, darker, 5), PixelLabel::Explained));
@@ -370,8 +370,8 @@ TEST(BackgroundModel, IsNotMisledByWhatIsNoLight) {
   for (const cv::Mat& now : {plain(0, 0, 0), plain(3, 2, 4), plain(255, 255, 255), hand, moved,
                              cv::Mat(), cv::Mat(10, 12, CV_8UC3, cv::Scalar(1, 2, 3))}) {
     model.adaptToLight(now);
-    EXPECT_EQ(model.light().maxCoeff(), 1.0);
-    EXPECT_EQ(model.light().minCoeff(), 1.0);
+    EXPECT_EQ(model.relativeLight().maxCoeff(), 1.0);
+    EXPECT_EQ(model.relativeLight().minCoeff(), 1.0);
     EXPECT_EQ(count(labelsOf(model, checkered()), PixelLabel::Background), kAll);
   }
 }
@@ -384,7 +384,7 @@ TEST(BackgroundModel, LightFadesToBlackAndReturns) {
     model.adaptToLight(now);
     model.learn(now, {});
   }
-  EXPECT_GE(model.light().minCoeff(), 1.0 / 8.0); // what is darker says nothing any more
+  EXPECT_GE(model.relativeLight().minCoeff(), 1.0 / 8.0); // what is darker says nothing any more
 }
 
 } // namespace

@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(All, ForegroundModels,
 
 TEST(RunningBackground, DoesNotLearnWhatIsToBeKept) {
   ForegroundSettings settings;
-  settings.memoryFrames = 20.0;
+  settings.memoryFrameCount = 20.0;
   for (const bool kept : {false, true}) {
     const auto model = makeForegroundModel(settings);
     for (std::uint32_t frame = 0; frame < 10; ++frame) {

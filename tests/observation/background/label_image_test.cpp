@@ -29,7 +29,7 @@ protected:
     }
     image_(red_) = kRedPixel;
     image_(blue_) = kBluePixel;
-    labels_.begin(image_, background_, classifier_);
+    labels_.setImage(image_, background_, classifier_);
   }
 
   cv::Rect red_{10, 8, 20, 16};
@@ -57,7 +57,7 @@ TEST_F(LabelImageTest, LabelsAsDocumented) {
 
 TEST_F(LabelImageTest, WithoutABackgroundWhatDoesNotMatchIsUnlearned) {
   const BackgroundModel nothing;
-  labels_.begin(image_, nothing, classifier_);
+  labels_.setImage(image_, nothing, classifier_);
   labels_.ensureAllLabels();
   EXPECT_EQ(labels_.at(12, 10), PixelLabel::Target);
   EXPECT_EQ(labels_.at(45, 25), PixelLabel::Unlearned);
@@ -92,7 +92,7 @@ TEST_F(LabelImageTest, PartsMadeLazilyEqualTheWhole) {
   const LabelImage::Circle other{{16.4, 12.2}, 6.3};
   const LabelImage::Circle except{{20.1, 14.0}, 3.0};
   LabelImage whole;
-  whole.begin(image_, background_, classifier_);
+  whole.setImage(image_, background_, classifier_);
   whole.ensureAllLabels();
   whole.markExplained(other, except);
   // The explanation comes between the parts; it holds for labels made later as well.
@@ -159,7 +159,7 @@ TEST_F(LabelImageTest, ANewImageForgetsExplanationsAndLabels) {
   labels_.markExplained({{20.0, 16.0}, 100.0}, {});
   labels_.ensureAllLabels();
   EXPECT_EQ(labels_.at(12, 10), PixelLabel::Explained);
-  labels_.begin(image_, background_, classifier_);
+  labels_.setImage(image_, background_, classifier_);
   EXPECT_TRUE(labels_.labeledArea().empty());
   labels_.ensureAllLabels();
   EXPECT_EQ(labels_.at(12, 10), PixelLabel::Target);
@@ -172,7 +172,7 @@ TEST_F(LabelImageTest, KnowsTheColorInOtherLight) {
   cv::multiply(image_, cv::Scalar::all(0.2), dark);
   cv::Mat wall;
   cv::multiply(grayImage(), cv::Scalar::all(0.2), wall);
-  labels_.begin(dark, background_, classifier_);
+  labels_.setImage(dark, background_, classifier_);
   labels_.ensureAllLabels();
   EXPECT_EQ(labels_.at(12, 10), PixelLabel::Unknown);
   // Not at once: what is darker than a quarter could be a covered lens.
@@ -181,7 +181,7 @@ TEST_F(LabelImageTest, KnowsTheColorInOtherLight) {
     cv::multiply(image_, cv::Scalar::all(gain), now);
     background_.adaptToLight(now);
   }
-  labels_.begin(dark, background_, classifier_);
+  labels_.setImage(dark, background_, classifier_);
   labels_.ensureAllLabels();
   for (int row = 0; row < kLabelHeight; ++row) {
     for (int column = 0; column < kLabelWidth; ++column) {

@@ -59,7 +59,7 @@ TEST(TargetColors, DoNotLearnTheGroundInTheBox) {
   for (int i = 0; i < 50; ++i) {
     colors.adaptTarget(empty, box, 0.2);
   }
-  const BinShares shares = colors.shares(0);
+  const BinShares shares = colors.binShares(0);
   constexpr std::size_t kGrayBin = 5 * 256 + 5 * 16 + 5; // 90 / 16 = 5 in each of 16 levels
   EXPECT_EQ(shares[kGrayBin], 0);                        // the ground is not taken for the target
 }

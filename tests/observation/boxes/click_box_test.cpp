@@ -55,7 +55,7 @@ TEST_P(ClickBoxTest, FindsABallWhereverItIsClicked) {
       const double angle = 0.25 * M_PI * direction;
       const Eigen::Vector2d click =
           kBoxCenter + r * radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-      const auto box = clickBox(image, click);
+      const auto box = boxAroundClick(image, click);
       ASSERT_TRUE(box);
       EXPECT_GE(intersectionOverUnion(*box, truth), 0.5)
           << click.transpose() << ": " << box->x << ' ' << box->y << ' ' << box->width << ' '
@@ -69,8 +69,9 @@ INSTANTIATE_TEST_SUITE_P(Radii, ClickBoxTest, ::testing::Values(6.0, 14.0, 30.0,
 TEST(ClickBox, OfSomethingLongIsLong) {
   cv::Mat image(240, 320, CV_8UC3, cv::Scalar(150, 150, 150));
   cv::rectangle(image, {150, 90, 20, 60}, kPinkPaint, cv::FILLED);
-  EXPECT_GT(intersectionOverUnion(*clickBox(image, {158.0, 112.0}), {150.0, 90.0, 20.0, 60.0}),
-            0.8);
+  EXPECT_GT(
+      intersectionOverUnion(*boxAroundClick(image, {158.0, 112.0}), {150.0, 90.0, 20.0, 60.0}),
+      0.8);
 }
 
 /// A lit ball of radius 14 in a hand, whose color is between the ball's and the wall's.
@@ -91,7 +92,7 @@ TEST(ClickBox, OfABallInAHandIsNotTheHand) {
   const cv::Mat image = heldBall();
   for (const auto& [x, y] :
        {std::pair(160.0, 113.0), {153.0, 117.0}, {166.0, 120.0}, {160.0, 120.0}, {156.0, 122.0}}) {
-    const auto box = clickBox(image, {x, y});
+    const auto box = boxAroundClick(image, {x, y});
     ASSERT_TRUE(box);
     EXPECT_GT(intersectionOverUnion(*box, {146.0, 106.0, 28.0, 20.0}), 0.5)
         << x << ", " << y << ": " << box->x << ' ' << box->y << ' ' << box->width << ' '
@@ -102,7 +103,7 @@ TEST(ClickBox, OfABallInAHandIsNotTheHand) {
 TEST(ClickBox, LiesInTheImage) {
   cv::Mat image(240, 320, CV_8UC3, cv::Scalar(150, 150, 150));
   cv::circle(image, {316, 4}, 14, kPinkPaint, cv::FILLED);
-  const auto box = clickBox(image, {315.0, 5.0});
+  const auto box = boxAroundClick(image, {315.0, 5.0});
   ASSERT_TRUE(box);
   EXPECT_EQ(intersectionArea(*box, {0.0, 0.0, 320.0, 240.0}), box->area());
   EXPECT_GT(intersectionOverUnion(*box, {302.0, 0.0, 18.0, 19.0}),
@@ -110,21 +111,21 @@ TEST(ClickBox, LiesInTheImage) {
 }
 
 TEST(ClickBox, IsNoneWhereNothingStandsOut) {
-  EXPECT_FALSE(clickBox(cv::Mat(240, 320, CV_8UC3, cv::Scalar(90, 90, 90)), {100.0, 100.0}));
-  EXPECT_FALSE(clickBox(cv::Mat(4, 4, CV_8UC3, cv::Scalar(90, 90, 90)), {2.0, 2.0}));
+  EXPECT_FALSE(boxAroundClick(cv::Mat(240, 320, CV_8UC3, cv::Scalar(90, 90, 90)), {100.0, 100.0}));
+  EXPECT_FALSE(boxAroundClick(cv::Mat(4, 4, CV_8UC3, cv::Scalar(90, 90, 90)), {2.0, 2.0}));
 }
 
 TEST(BoxContrast, IsGreatestForTheThingItself) {
   cv::Mat image(80, 80, CV_8UC3, cv::Scalar(150, 150, 150));
   cv::circle(image, {40, 40}, 8, kPinkPaint, cv::FILLED);
   const BoxContrast contrast(image, {40.0, 40.0});
-  const double itself = contrast.at(ImageBox::around({40.5, 40.5}, 17.0, 17.0));
+  const double itself = contrast.contrastOf(ImageBox::around({40.5, 40.5}, 17.0, 17.0));
   EXPECT_GT(itself, 0.5); // of 1: three bands are not quite a disc, its rim is in the ring too
   for (const double size : {8.0, 12.0, 24.0, 34.0}) {
-    EXPECT_LT(contrast.at(ImageBox::around({40.5, 40.5}, size, size)), itself) << size;
+    EXPECT_LT(contrast.contrastOf(ImageBox::around({40.5, 40.5}, size, size)), itself) << size;
   }
-  EXPECT_LT(contrast.at(ImageBox::around({45.5, 40.5}, 17.0, 17.0)), itself);
-  EXPECT_EQ(BoxContrast(image, {10.0, 10.0}).at(ImageBox::around({40.5, 40.5}, 17.0, 17.0)), 0.0)
+  EXPECT_LT(contrast.contrastOf(ImageBox::around({45.5, 40.5}, 17.0, 17.0)), itself);
+  EXPECT_EQ(BoxContrast(image, {10.0, 10.0}).contrastOf(ImageBox::around({40.5, 40.5}, 17.0, 17.0)), 0.0)
       << "the pixel has the color of the ring";
 }
 
@@ -133,7 +134,9 @@ TEST(ColorPalette, TellsColorsApartAndMindsLittleShading) {
   image.colRange(0, 10).setTo(kPinkPaint);
   image.colRange(10, 20).setTo(0.8 * kPinkPaint);
   const ColorPalette palette(image, {0, 0});
-  const auto label = [&](int x) { return std::size_t(palette.labels().at<std::uint8_t>(5, x)); };
+  const auto label = [&](int x) {
+    return std::size_t(palette.colorIndices().at<std::uint8_t>(5, x));
+  };
   EXPECT_NE(label(5), label(30));
   ColorPalette::Shares pink{};
   pink[label(5)] = 1.0;

@@ -19,17 +19,17 @@ Camera levelCamera() {
 TEST(BodySilhouette, StandsWhereItIsSeen) {
   const SilhouetteProjector maker(levelCamera());
   const BodySilhouette body = maker.project({4.0, 0.0}, 0.0, 2.0);
-  ASSERT_TRUE(body.visible);
+  ASSERT_TRUE(body.isVisible);
   // The feet 1 m below the axis at 4 m: 25 px; the head as far above. Edges of pixels lie at
   // halves.
-  EXPECT_EQ(body.pieces.front().br().y, 126);
-  EXPECT_EQ(body.pieces.back().y, 76);
+  EXPECT_EQ(body.partRects.front().br().y, 126);
+  EXPECT_EQ(body.partRects.back().y, 76);
   for (int k = 0; k < kBodyPartCount; ++k) {
-    const cv::Rect& piece = body.pieces[static_cast<std::size_t>(k)];
+    const cv::Rect& piece = body.partRects[static_cast<std::size_t>(k)];
     EXPECT_NEAR(piece.width, 2.0 * 25.0 * bodyHalfWidth(k, 2.0), 1.0);
     EXPECT_NEAR(piece.x + 0.5 * piece.width, 100.5, 0.6);
   }
-  EXPECT_FALSE(maker.project({-4.0, 0.0}, 0.0, 2.0).visible); // behind
+  EXPECT_FALSE(maker.project({-4.0, 0.0}, 0.0, 2.0).isVisible); // behind
 }
 
 TEST(ScoreSums, AreMeansOverRectangles) {
@@ -52,9 +52,10 @@ TEST(ScoreSums, AreMeansOverRectangles) {
 TEST(BodyScore, TheUpperHalfCountsByItself) {
   // A column of six pieces of 10 x 10 pixels; the upper three move, but for half of the head.
   BodySilhouette body;
-  body.visible = true;
+  body.isVisible = true;
   for (int k = 0; k < kBodyPartCount; ++k) {
-    body.pieces[static_cast<std::size_t>(k)] = cv::Rect(20, 10 * (kBodyPartCount - 1 - k), 10, 10);
+    body.partRects[static_cast<std::size_t>(k)] =
+        cv::Rect(20, 10 * (kBodyPartCount - 1 - k), 10, 10);
   }
   cv::Mat mask = cv::Mat::zeros(60, 60, CV_8UC1);
   mask(cv::Rect(20, 5, 10, 25)).setTo(255);
@@ -69,16 +70,16 @@ TEST(BodyScore, TheUpperHalfCountsByItself) {
   // A piece says at least the floor, also of the upper half.
   scores.build(maskScores(cv::Mat::zeros(60, 60, CV_8UC1), cv::Mat()));
   EXPECT_NEAR(upperBodyScore(scores, body, -0.2), -0.2, 1e-9);
-  body.visible = false;
+  body.isVisible = false;
   EXPECT_EQ(upperBodyScore(scores, body, -0.2), 0.0);
 }
 
 TEST(ClothesModel, TellsColorsApart) {
   const cv::Rect body(10, 10, 20, 60);
   BodySilhouette silhouette;
-  silhouette.visible = true;
+  silhouette.isVisible = true;
   for (int k = 0; k < kBodyPartCount; ++k) {
-    silhouette.pieces[static_cast<std::size_t>(k)] =
+    silhouette.partRects[static_cast<std::size_t>(k)] =
         cv::Rect(body.x, body.y + 10 * (kBodyPartCount - 1 - k), body.width, 10);
   }
   cv::Mat mask = cv::Mat::zeros(80, 60, CV_8UC1);
@@ -87,14 +88,14 @@ TEST(ClothesModel, TellsColorsApart) {
   const cv::Mat red(80, 60, CV_8UC3, cv::Scalar(50, 60, 180));
   ClothesModel one;
   ClothesModel other;
-  EXPECT_FALSE(one.known());
+  EXPECT_FALSE(one.isKnown());
   for (int look = 0; look < 5; ++look) {
     one.learn(blue, mask, silhouette, cv::Mat());
     one.finishFrame();
     other.learn(red, mask, silhouette, cv::Mat());
     other.finishFrame();
   }
-  ASSERT_TRUE(one.known());
+  ASSERT_TRUE(one.isKnown());
   const ClothesRatio ratio = one.logRatioAgainst(other);
   // log(1.01 / 0.01) is cut at 1.
   EXPECT_NEAR(ClothesModel::meanLogRatioInSilhouette(ratio, blue, mask, silhouette, cv::Mat()), 1.0,

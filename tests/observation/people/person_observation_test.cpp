@@ -14,7 +14,7 @@ TEST(MotionLikelihood, SmoothsAndHasAFloor) {
   cv::Mat mask = cv::Mat::zeros(80, 80, CV_8UC1);
   mask.colRange(40, 80).setTo(255);
   cv::Mat likelihood;
-  motionLikelihood(mask, 4.0, 0.2, likelihood);
+  computeMotionLikelihood(mask, 4.0, 0.2, likelihood);
   EXPECT_NEAR(likelihood.at<float>(40, 60), 1.0, 1e-5);
   EXPECT_NEAR(likelihood.at<float>(40, 10), 0.2, 1e-6); // p_B
   // An edge smoothed by a Gaussian is its distribution function: half a pixel and 4.5 pixels

@@ -29,7 +29,7 @@ TEST(ColorRegion, HasTheMomentsOfARectangle) {
   EXPECT_NEAR(region.covariance(1, 1), 400.0 / 12.0, 1e-9);
   EXPECT_NEAR(region.covariance(0, 1), 0.0, 1e-9);
   EXPECT_EQ(region.box, cv::Rect(100, 50, 40, 20));
-  EXPECT_EQ(region.rim, 2 * 40 + 2 * 18);
+  EXPECT_EQ(region.rimPixelCount, 2 * 40 + 2 * 18);
   EXPECT_EQ(region.cutOffShare(), 0.0);
 }
 

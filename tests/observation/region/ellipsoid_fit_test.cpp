@@ -36,7 +36,7 @@ TEST(EllipsoidFit, FindsCenterAndExtentFromThreeCameras) {
     scene.show({truth});
     const EllipsoidFit fit =
         fitEllipsoid(scene.observation(), ellipsoidStart(truth, 0.03 * drawn::directionOf(k)));
-    ASSERT_TRUE(fit.found) << k;
+    ASSERT_TRUE(fit.isFound) << k;
     EXPECT_EQ(fit.seeingCameraCount, 3);
     EXPECT_LT((fit.ellipsoid.center - truth.center).norm(), 1e-3) << k;
     EXPECT_NEAR(fit.ellipsoid.radius(), truth.radius(), 0.1 * truth.radius()) << k;
@@ -55,7 +55,7 @@ TEST(EllipsoidFit, FindsTheCenterFromTwoCameras) {
     scene.show({truth});
     const EllipsoidFit fit =
         fitEllipsoid(scene.observation(), ellipsoidStart(truth, 0.03 * drawn::directionOf(k)));
-    ASSERT_TRUE(fit.found) << k;
+    ASSERT_TRUE(fit.isFound) << k;
     EXPECT_LT((fit.ellipsoid.center - truth.center).norm(), 0.012) << k;
     EXPECT_EQ(fit.degreesOfFreedom, 1);
     EXPECT_LT(fit.disagreement, 0.1) << k; // an ellipsoid has one centroid in all views
@@ -79,7 +79,7 @@ TEST(EllipsoidFit, WhatIsHiddenDoesNotPull) {
                 cv::Rect(static_cast<int>(outline->center.x() + half / 3.0), 0, 300, 480),
                 kSomethingNew, cv::FILLED);
   const EllipsoidFit hidden = fitEllipsoid(scene.observation(), prior);
-  ASSERT_TRUE(whole.found && hidden.found);
+  ASSERT_TRUE(whole.isFound && hidden.isFound);
   EXPECT_LT((whole.ellipsoid.center - truth.center).norm(), 1e-3);
   EXPECT_LT((hidden.ellipsoid.center - truth.center).norm(), 3e-3);
   EXPECT_GT(hidden.covariance.trace(), 1.5 * whole.covariance.trace());
@@ -91,7 +91,7 @@ TEST(EllipsoidFit, OneCameraSaysNothingAboutDepth) {
   scene.show({truth});
   const EllipsoidFit fit =
       fitEllipsoid(scene.observation(), ellipsoidStart(truth, {0.0, 0.0, 0.0}));
-  ASSERT_TRUE(fit.found);
+  ASSERT_TRUE(fit.isFound);
   EXPECT_EQ(fit.degreesOfFreedom, 0);
   const Eigen::Vector3d along = drawn::rigAround(1, kVga)[0].opticalAxis();
   EXPECT_GT(std::sqrt(along.dot(fit.covariance * along)), 0.09); // the prior's 0.1
@@ -102,7 +102,7 @@ TEST(EllipsoidFit, IsNotFoundWhereThereIsNoColor) {
   const Ellipsoid truth = drawn::ellipsoid(drawn::kMiddle, {0.06, 0.04, 0.04});
   const EllipsoidFit fit =
       fitEllipsoid(scene.observation(), ellipsoidStart(truth, {0.0, 0.0, 0.0}));
-  EXPECT_FALSE(fit.found);
+  EXPECT_FALSE(fit.isFound);
   EXPECT_EQ(fit.views.size(), 2U);
 }
 

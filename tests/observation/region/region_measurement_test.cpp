@@ -31,11 +31,11 @@ TEST(RegionMeasurement, SeesAllOfWhatIsAsExpected) {
   RegionScene scene(drawn::rigAround(1));
   paintEllipse(scene, 150, 120, 40, 20, kRedPaint);
   const RegionMeasurement result = measured(scene, ellipse(150, 120, 40, 20));
-  EXPECT_TRUE(result.inView);
+  EXPECT_TRUE(result.isInView);
   ASSERT_TRUE(result.region);
-  EXPECT_GT(result.visible, 0.98);
-  EXPECT_GT(result.matched, 0.98);
-  EXPECT_EQ(result.ring, 0.0);
+  EXPECT_GT(result.visibleShare, 0.98);
+  EXPECT_GT(result.matchedShare, 0.98);
+  EXPECT_EQ(result.ringMatchShare, 0.0);
   EXPECT_LT((result.center() - Eigen::Vector2d(150, 120)).norm(), 0.1);
   EXPECT_GT(regionEvidence(result, 1.0), 0.9 * fullRegionEvidence());
 }
@@ -56,7 +56,7 @@ TEST(RegionMeasurement, ComparesTheVisiblePartOfWhatIsCut) {
   paintEllipse(scene, 0, 120, 40, 40, kRedPaint);
   const RegionMeasurement result = measured(scene, ellipse(0, 120, 40, 40));
   ASSERT_TRUE(result.region);
-  EXPECT_NEAR(result.visible, 0.5, 0.02);
+  EXPECT_NEAR(result.visibleShare, 0.5, 0.02);
   EXPECT_GT(result.region->centroid.x(), 16.0); // 4 r / (3 pi) = 17
   EXPECT_LT((result.center() - Eigen::Vector2d(0, 120)).norm(), 0.5);
 }

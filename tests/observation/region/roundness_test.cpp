@@ -18,7 +18,7 @@ ColorRegion region(double area, double xx, double yy) {
   ColorRegion result;
   result.area = area;
   result.covariance << xx, 0.0, 0.0, yy;
-  result.rim = 100;
+  result.rimPixelCount = 100;
   return result;
 }
 
@@ -59,9 +59,10 @@ TEST(Roundness, ADiscIsABallAndAStickIsNot) {
 
 // Two balls that touch have twice the area; a forearm in which a small ball was found has far more.
 TEST(Roundness, ARegionFarLargerThanTheBallIsNone) {
-  EXPECT_EQ(roundnessOf(disc(20.0), circle(20.0)).excess, 0.0);
-  EXPECT_NEAR(roundnessOf(disc(20.0), circle(20.0 / std::sqrt(2.0))).excess, 0.0, 1e-9);
-  EXPECT_NEAR(roundnessOf(disc(20.0), circle(5.0)).excess, std::log(4.0 / std::sqrt(2.0)), 1e-9);
+  EXPECT_EQ(roundnessOf(disc(20.0), circle(20.0)).sizeExcess, 0.0);
+  EXPECT_NEAR(roundnessOf(disc(20.0), circle(20.0 / std::sqrt(2.0))).sizeExcess, 0.0, 1e-9);
+  EXPECT_NEAR(roundnessOf(disc(20.0), circle(5.0)).sizeExcess, std::log(4.0 / std::sqrt(2.0)),
+              1e-9);
   const auto touching = shapeEvidence(disc(20.0), circle(20.0 / std::sqrt(2.0)));
   const auto small = shapeEvidence(disc(20.0), circle(5.0));
   ASSERT_TRUE(touching && small);

@@ -44,7 +44,7 @@ AdaptiveColor begun() {
 double takenInUse(const AdaptiveColor& color, const cv::Mat& image) {
   cv::Mat disc = cv::Mat::zeros(image.size(), CV_8UC1);
   cv::circle(disc, {80, 60}, 13, cv::Scalar(255), cv::FILLED);
-  return double(cv::countNonZero(matchImage(image, color.inUse(0)) & disc)) /
+  return double(cv::countNonZero(matchImage(image, color.classifierInUse(0)) & disc)) /
          cv::countNonZero(disc);
 }
 
@@ -54,13 +54,13 @@ TEST(AdaptiveColor, ItsClassifiersStayWhereTheyAreWhenItIsMoved) {
   std::vector<AdaptiveColor> colors;
   colors.reserve(1);
   colors.emplace_back(kGreen, 2);
-  const ColorClassifier* learned = &colors.front().learned();
-  const ColorClassifier* inUse = &colors.front().inUse(1);
+  const ColorClassifier* learned = &colors.front().learnedClassifier();
+  const ColorClassifier* inUse = &colors.front().classifierInUse(1);
   while (colors.capacity() == 1) {
     colors.emplace_back(kGreen, 2);
   }
-  EXPECT_EQ(&colors.front().learned(), learned);
-  EXPECT_EQ(&colors.front().inUse(1), inUse);
+  EXPECT_EQ(&colors.front().learnedClassifier(), learned);
+  EXPECT_EQ(&colors.front().classifierInUse(1), inUse);
 }
 
 /// The green disc with a half that is blue.
@@ -166,7 +166,7 @@ TEST(AdaptiveColor, TakesNoStepOntoTheBackground) {
     const double gain = k < 20 ? 1.0 : std::max(0.4, 1.0 - 0.002 * (k - 20));
     cv::Mat image = scene(gray(1.0), k, wall, kGreenBall.mul(gray(gain)));
     color.adapt(0, image, kBallOutline, {}, kShare);
-    const double matched = cv::countNonZero(matchImage(image, color.inUse(0)));
+    const double matched = cv::countNonZero(matchImage(image, color.classifierInUse(0)));
     const double disc = M_PI * 15.0 * 15.0;
     ASSERT_LT(matched, disc + 0.01 * double(image.total())) << k;
   }
@@ -183,7 +183,7 @@ TEST(AdaptiveColor, ForgetsAndCopies) {
   }
   EXPECT_EQ(copy.rangesInUse(0)[0], color.rangesInUse(0)[0]);
   EXPECT_FALSE(color.rangesInUse(0)[0] == kGreen);
-  color.restoreLearned();
+  color.restoreLearnedRanges();
   EXPECT_TRUE(color.rangesInUse().empty());
   EXPECT_FALSE(copy.rangesInUse().empty());
 }

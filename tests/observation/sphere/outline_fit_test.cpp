@@ -41,9 +41,9 @@ Errors errorsOf(int cameras, double startRadii, double reach) {
     const Eigen::Vector3d truth = drawn::placeNear(k, reach);
     scene.show({Ball{truth, kRadius}});
     const OutlineFit fit = fitOutline(scene.views(), outlineStart(truth, k, startRadii));
-    EXPECT_TRUE(fit.found) << k;
+    EXPECT_TRUE(fit.isFound) << k;
     EXPECT_NEAR(fit.radius, kRadius, 1e-6 * kRadius) << k; // known, so it stays
-    EXPECT_EQ(fit.edges.size(), static_cast<std::size_t>(cameras));
+    EXPECT_EQ(fit.edgeCounts.size(), static_cast<std::size_t>(cameras));
     const Eigen::Vector3d error = fit.center - truth;
     errors.largest = std::max(errors.largest, error.norm());
     errors.rootMeanSquare += error.squaredNorm() / kPlaces;
@@ -80,7 +80,7 @@ TEST(OutlineFit, OneCameraKnowsTheDirectionAndLittleOfTheDepth) {
     const Eigen::Vector3d truth = drawn::placeNear(k, 0.2);
     scene.show({Ball{truth, kRadius}});
     const OutlineFit fit = fitOutline(scene.views(), outlineStart(truth, k, 0.5));
-    ASSERT_TRUE(fit.found);
+    ASSERT_TRUE(fit.isFound);
     const Eigen::Vector3d from = drawn::rigAround(1, kVga)[0].center();
     const Eigen::Vector3d along = (truth - from).normalized();
     const Eigen::Vector3d error = fit.center - truth;
@@ -95,7 +95,7 @@ TEST(OutlineFit, CovarianceIsPositiveDefiniteAndLargerAlongTheAxisOfOneCamera) {
     const Eigen::Vector3d truth = drawn::placeNear(3, 0.1);
     scene.show({Ball{truth, kRadius}});
     const OutlineFit fit = fitOutline(scene.views(), outlineStart(truth, 3, 0.2));
-    ASSERT_TRUE(fit.found);
+    ASSERT_TRUE(fit.isFound);
     EXPECT_LT((fit.covariance - fit.covariance.transpose()).cwiseAbs().maxCoeff(), 1e-15);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(fit.covariance);
     EXPECT_GT(eigen.eigenvalues()[0], 0.0);
@@ -129,7 +129,7 @@ TEST(OutlineFit, HalfOfTheDiscCutOffInOneCamera) {
       scene.show({Ball{truth, kRadius}});
       cut(scene, 0, truth, newThing);
       const OutlineFit fit = fitOutline(scene.views(), outlineStart(truth, k, 0.2));
-      ASSERT_TRUE(fit.found);
+      ASSERT_TRUE(fit.isFound);
       EXPECT_LT((fit.center - truth).norm(), 1.5e-3) << k << (newThing ? " new" : " wall");
     }
   }
@@ -142,9 +142,9 @@ TEST(OutlineFit, AHiddenHalfMakesTheCovarianceLarger) {
   const OutlineFit whole = fitOutline(scene.views(), outlineStart(truth, 1, 0.1));
   cut(scene, 0, truth, true);
   const OutlineFit half = fitOutline(scene.views(), outlineStart(truth, 1, 0.1));
-  ASSERT_TRUE(whole.found && half.found);
+  ASSERT_TRUE(whole.isFound && half.isFound);
   EXPECT_GT(half.covariance.trace(), whole.covariance.trace());
-  EXPECT_LT(half.edges[0], whole.edges[0]);
+  EXPECT_LT(half.edgeCounts[0], whole.edgeCounts[0]);
 }
 
 /// A place beside the ball, seen from camera 0: across its line of sight.
@@ -163,7 +163,7 @@ TEST(OutlineFit, ATwinThatTouchesInOneCamera) {
       const Eigen::Vector3d truth = drawn::placeNear(k, 0.1);
       scene.show({Ball{truth, kRadius}, Ball{besideIn(rig, truth, radii), kRadius}});
       const OutlineFit fit = fitOutline(scene.views(), outlineStart(truth, k, 0.15));
-      ASSERT_TRUE(fit.found);
+      ASSERT_TRUE(fit.isFound);
       EXPECT_LT((fit.center - truth).norm(), 1.5e-3) << k << " at " << radii;
     }
   }
@@ -180,7 +180,7 @@ TEST(OutlineFit, UnknownRadiusIsFoundWithTwoCameras) {
       prior.radius = guess * kRadius;
       prior.logRadiusVariance = 0.04;
       const OutlineFit fit = fitOutline(scene.views(), prior);
-      ASSERT_TRUE(fit.found);
+      ASSERT_TRUE(fit.isFound);
       EXPECT_NEAR(fit.radius, kRadius, 0.03 * kRadius) << k << " from " << guess;
       EXPECT_LT((fit.center - truth).norm(), 1e-3) << k << " from " << guess;
       EXPECT_GT(fit.logRadiusVariance, 0.0);
@@ -195,7 +195,7 @@ TEST(OutlineFit, NoiseOfACameraKeepsItBelowAMillimeter) {
     const Eigen::Vector3d truth = drawn::placeNear(k, 0.2);
     scene.show({Ball{truth, kRadius}}, 6.0, k);
     const OutlineFit fit = fitOutline(scene.views(), outlineStart(truth, k, 0.5));
-    ASSERT_TRUE(fit.found);
+    ASSERT_TRUE(fit.isFound);
     EXPECT_LT((fit.center - truth).norm(), 1e-3) << k;
   }
 }
@@ -203,19 +203,19 @@ TEST(OutlineFit, NoiseOfACameraKeepsItBelowAMillimeter) {
 TEST(OutlineFit, FindsNothingInAnEmptyImage) {
   FitScene scene(drawn::rigAround(2, kVga));
   const OutlineFit fit = fitOutline(scene.views(), outlineStart(drawn::kMiddle, 0, 0.0));
-  EXPECT_FALSE(fit.found);
-  EXPECT_EQ(fit.edges, (std::vector<int>{0, 0}));
+  EXPECT_FALSE(fit.isFound);
+  EXPECT_EQ(fit.edgeCounts, (std::vector<int>{0, 0}));
 }
 
 TEST(OutlineFit, FindsNothingWhereNoCameraLooksOrNoneHasAnImage) {
   FitScene scene(drawn::rigAround(2, kVga));
   scene.show({Ball{drawn::kMiddle, kRadius}});
-  EXPECT_FALSE(fitOutline({}, outlineStart(drawn::kMiddle, 0, 0.0)).found);
+  EXPECT_FALSE(fitOutline({}, outlineStart(drawn::kMiddle, 0, 0.0)).isFound);
   auto views = scene.views();
-  EXPECT_FALSE(fitOutline(views, outlineStart({5.0, 5.0, 50.0}, 0, 0.0)).found);
+  EXPECT_FALSE(fitOutline(views, outlineStart({5.0, 5.0, 50.0}, 0, 0.0)).isFound);
   scene.labels(0).clear();
   scene.labels(1).clear();
-  EXPECT_FALSE(fitOutline(views, outlineStart(drawn::kMiddle, 0, 0.0)).found);
+  EXPECT_FALSE(fitOutline(views, outlineStart(drawn::kMiddle, 0, 0.0)).isFound);
 }
 
 TEST(OutlineFit, ACameraWithoutAnImageIsLeftOut) {
@@ -225,10 +225,10 @@ TEST(OutlineFit, ACameraWithoutAnImageIsLeftOut) {
   auto views = scene.views();
   scene.labels(1).clear();
   const OutlineFit fit = fitOutline(views, outlineStart(truth, 2, 0.3));
-  ASSERT_TRUE(fit.found);
-  EXPECT_EQ(fit.edges[1], 0);
-  EXPECT_GT(fit.edges[0], 0);
-  EXPECT_GT(fit.edges[2], 0);
+  ASSERT_TRUE(fit.isFound);
+  EXPECT_EQ(fit.edgeCounts[1], 0);
+  EXPECT_GT(fit.edgeCounts[0], 0);
+  EXPECT_GT(fit.edgeCounts[2], 0);
   EXPECT_LT((fit.center - truth).norm(), 0.9e-3);
 }
 
@@ -243,7 +243,7 @@ TEST(OutlineFit, OffsetsMoveTheBallToWhenACameraLooked) {
   auto views = scene.views();
   views[1].offset = offset;
   const OutlineFit fit = fitOutline(views, outlineStart(truth, 4, 0.3));
-  ASSERT_TRUE(fit.found);
+  ASSERT_TRUE(fit.isFound);
   EXPECT_LT((fit.center - truth).norm(), 0.9e-3);
 }
 
@@ -255,7 +255,7 @@ TEST(OutlineFit, ASurePriorIsKept) {
   OutlinePrior prior = outlineStart(truth, 6, 0.1);
   prior.information = 1e12 * Eigen::Matrix3d::Identity();
   const OutlineFit fit = fitOutline(scene.views(), prior);
-  ASSERT_TRUE(fit.found);
+  ASSERT_TRUE(fit.isFound);
   EXPECT_LT((fit.center - prior.center).norm(), 1e-4);
 }
 
@@ -274,7 +274,7 @@ TEST(OutlineFit, TellsWhetherTheSizeIsRight) {
     const OutlineFit right = fitOutline(scene.views(), prior);
     scene.show({Ball{truth, 0.030}});
     const OutlineFit wrong = fitOutline(scene.views(), prior);
-    ASSERT_TRUE(right.found && wrong.found) << k;
+    ASSERT_TRUE(right.isFound && wrong.isFound) << k;
     EXPECT_LT(right.sizeDeviation, 2.0) << k;
     EXPECT_GT(wrong.sizeDeviation, 8.0) << k;
   }

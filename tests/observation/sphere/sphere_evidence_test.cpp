@@ -35,7 +35,7 @@ protected:
     }
   }
   const LabelImage& labelsOf(const cv::Mat& image, bool wallIsKnown = true) {
-    labels_.begin(image, wallIsKnown ? wall_ : nothing_, classifier_);
+    labels_.setImage(image, wallIsKnown ? wall_ : nothing_, classifier_);
     labels_.ensureAllLabels();
     return labels_;
   }
@@ -221,10 +221,10 @@ TEST_F(SphereEvidenceTest, FewPixelsCountLess) {
 }
 
 TEST_F(SphereEvidenceTest, AreaHoldsAllThatIsRead) {
-  const cv::Rect area = areaOf(kEvidenceOutline, SphereEvidence::kReach);
+  const cv::Rect area = areaOf(kEvidenceOutline, SphereEvidence::kSampleReach);
   LabelImage part;
   const cv::Mat image = discImage(kEvidenceOutline);
-  part.begin(image, wall_, classifier_);
+  part.setImage(image, wall_, classifier_);
   part.ensureLabels(area);
   EXPECT_EQ(SphereEvidence::logLikelihoodRatio(part, kEvidenceOutline), logLikelihoodRatio(image));
   // By hand: from 80 - 1.3 * 20 - 2 = 52 to 108, both included.

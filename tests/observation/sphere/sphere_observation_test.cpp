@@ -50,13 +50,13 @@ TEST_F(SphereObservationTest, SumsOverTheCameras) {
               3.0 * SphereEvidence::maxLogLikelihoodRatio(), 1e-9);
   EXPECT_NEAR(observation_.fullyVisibleLogLikelihoodRatio(ball_.center, kStill),
               3.0 * SphereEvidence::maxLogLikelihoodRatio(), 1e-9);
-  EXPECT_EQ(observation_.camerasSeeing(ball_.center, kStill), 3);
+  EXPECT_EQ(observation_.countSeeingCameras(ball_.center, kStill), 3);
   show(1, {});
   EXPECT_LT(observation_.logLikelihoodRatio(ball_.center, kStill),
             2.0 * SphereEvidence::maxLogLikelihoodRatio());
   EXPECT_NEAR(observation_.fullyVisibleLogLikelihoodRatio(ball_.center, kStill),
               3.0 * SphereEvidence::maxLogLikelihoodRatio(), 1e-9);
-  EXPECT_EQ(observation_.camerasSeeing(ball_.center, kStill), 2);
+  EXPECT_EQ(observation_.countSeeingCameras(ball_.center, kStill), 2);
 }
 
 // A ball half a radius larger fills the whole ring. A neighbor whose middle lies inside its outline
@@ -80,7 +80,7 @@ TEST_F(SphereObservationTest, ACameraWithoutAUsableImageIsLeftOut) {
               2.0 * SphereEvidence::maxLogLikelihoodRatio(), 1e-9);
   EXPECT_NEAR(observation_.fullyVisibleLogLikelihoodRatio(ball_.center, kStill),
               2.0 * SphereEvidence::maxLogLikelihoodRatio(), 1e-9);
-  EXPECT_EQ(observation_.camerasSeeing(ball_.center, kStill), 2);
+  EXPECT_EQ(observation_.countSeeingCameras(ball_.center, kStill), 2);
   const cv::Mat gray(240, 320, CV_8UC1, cv::Scalar(80));
   observation_.setImage(1, gray, 0.0, backgrounds_[1], classifier_);
   EXPECT_NEAR(observation_.logLikelihoodRatio(ball_.center, kStill),
@@ -95,7 +95,7 @@ TEST_F(SphereObservationTest, PlacesThatNoCameraSeesHaveNoEvidence) {
   const Eigen::Vector3d above(0.5, 0.5, 30.0);
   EXPECT_EQ(observation_.logLikelihoodRatio(above, kStill), 0.0);
   EXPECT_EQ(observation_.fullyVisibleLogLikelihoodRatio(above, kStill), 0.0);
-  EXPECT_EQ(observation_.camerasSeeing(above, kStill), 0);
+  EXPECT_EQ(observation_.countSeeingCameras(above, kStill), 0);
 }
 
 TEST_F(SphereObservationTest, AWrongRadiusIsWorse) {
@@ -132,7 +132,7 @@ TEST_F(SphereObservationTest, VelocityMovesAPlaceToWhenTheCameraLooked) {
   const double best = 3.0 * SphereEvidence::maxLogLikelihoodRatio();
   EXPECT_NEAR(observation_.logLikelihoodRatio(ball_.center, velocity), best, 0.05 * best);
   EXPECT_LT(observation_.logLikelihoodRatio(ball_.center, kStill), 0.8 * best);
-  EXPECT_EQ(observation_.camerasSeeing(ball_.center, velocity), 3);
+  EXPECT_EQ(observation_.countSeeingCameras(ball_.center, velocity), 3);
   Eigen::ArrayXXd states(1, 6);
   states << ball_.center.x(), ball_.center.y(), ball_.center.z(), 2.0, -1.0, 0.5;
   Eigen::ArrayXd logs = Eigen::ArrayXd::Zero(1);
@@ -144,7 +144,7 @@ TEST_F(SphereObservationTest, VelocityMovesAPlaceToWhenTheCameraLooked) {
   prior.center = ball_.center + Eigen::Vector3d(0.01, 0.0, 0.0);
   prior.radius = ball_.radius;
   const OutlineFit fit = observation_.fit(prior, velocity);
-  ASSERT_TRUE(fit.found);
+  ASSERT_TRUE(fit.isFound);
   EXPECT_LT((fit.center - ball_.center).norm(), 1e-3);
 }
 
@@ -156,7 +156,7 @@ TEST_F(SphereObservationTest, ACameraSeesWhenAThirdIsFilled) {
     const int right = static_cast<int>(outline->center.x() + radii * outline->radius);
     images_[0](cv::Rect(0, 0, right, 240)) = cv::Scalar(200, 60, 30);
     observation_.setImage(0, images_[0], 0.0, backgrounds_[0], classifier_);
-    return observation_.camerasSeeing(ball_.center, kStill);
+    return observation_.countSeeingCameras(ball_.center, kStill);
   };
   EXPECT_EQ(cutAt(0.0), 3);  // a half
   EXPECT_EQ(cutAt(0.75), 2); // less than a tenth

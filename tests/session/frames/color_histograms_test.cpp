@@ -23,9 +23,9 @@ TEST(ColorHistograms, TheLargestBinsAreShownInTheirOrder) {
   ASSERT_EQ(bars.size(), 3U);
   EXPECT_EQ(bars[0].rgb, (std::array<std::uint8_t, 3>{16, 240, 16}));
   EXPECT_EQ(bars[2].rgb, (std::array<std::uint8_t, 3>{240, 16, 16}));
-  EXPECT_EQ(bars[2].reference, 0.5);
-  EXPECT_EQ(bars[2].candidate, 0.32);
-  EXPECT_EQ(largestBars(histograms, 1)[0].candidate, 0.6);
+  EXPECT_EQ(bars[2].referenceShare, 0.5);
+  EXPECT_EQ(bars[2].candidateShare, 0.32);
+  EXPECT_EQ(largestBars(histograms, 1)[0].candidateShare, 0.6);
   // sqrt(0.5 * 0.32) + sqrt(0.5 * 0.08) = 0.4 + 0.2
   EXPECT_NEAR(histograms.similarity(), 0.6, 1e-12);
 }

@@ -70,7 +70,7 @@ TEST_P(CompressedVideo, AnyOrderGivesThePicturesOfReadingInARow) {
   }
   const auto source = open(path);
   const auto library = makeRecordedFrameCache(*source, 20 * kFrameBytes);
-  EXPECT_EQ(library->newest(), 199);
+  EXPECT_EQ(library->newestFrame(), 199);
   for (int step = 0; step < 300; ++step) {
     // Back by one, ahead by one, and jumps: 7919 is a prime.
     const std::int64_t jump = std::int64_t{step} / 10 * 7919 % 200;
@@ -79,7 +79,7 @@ TEST_P(CompressedVideo, AnyOrderGivesThePicturesOfReadingInARow) {
     const auto found = library->at(frame);
     ASSERT_TRUE(found);
     ASSERT_TRUE(same(*found, all[static_cast<std::size_t>(frame)])) << frame;
-    ASSERT_LE(library->bytes(), 20 * kFrameBytes);
+    ASSERT_LE(library->memoryBytes(), 20 * kFrameBytes);
   }
   EXPECT_EQ(library->at(200).value(), nullptr);
   EXPECT_EQ(library->at(-1).value(), nullptr);
@@ -105,7 +105,7 @@ TEST(FramePreviews, ShowTheFrameInSmallAndThinThemselves) {
   EXPECT_EQ(previews.at(0), nullptr);
   for (int k = 0; k < 100; ++k) {
     previews.add(set(k));
-    ASSERT_LE(previews.bytes(), 40000U);
+    ASSERT_LE(previews.memoryBytes(), 40000U);
   }
   for (const std::int64_t frame : {0, 33, 99}) {
     const FrameSetPtr small = previews.at(frame);
@@ -132,17 +132,17 @@ FrameSetPtr liveFrame(std::int64_t index) {
 TEST(LiveFrames, KeepTheNewestAsTheyCameAndOlderOnesPacked) {
   constexpr std::size_t kMost = 100 * kFrameBytes;
   const auto library = makeLiveFrameCache(kMost);
-  EXPECT_EQ(library->newest(), -1);
+  EXPECT_EQ(library->newestFrame(), -1);
   EXPECT_EQ(library->at(0).value(), nullptr);
   for (int index = 0; index < 600; ++index) {
     library->add(liveFrame(index));
-    ASSERT_LE(library->bytes(), kMost);
+    ASSERT_LE(library->memoryBytes(), kMost);
     std::this_thread::sleep_for(std::chrono::microseconds(300));
   }
-  EXPECT_EQ(library->newest(), 599);
+  EXPECT_EQ(library->newestFrame(), 599);
   EXPECT_TRUE(same(library->at(599).value(), liveFrame(599)));
   EXPECT_TRUE(same(library->at(590).value(), liveFrame(590))); // a quarter of 100 stays as it came
-  const std::int64_t oldest = library->oldest();
+  const std::int64_t oldest = library->oldestFrame();
   const auto old = library->at(oldest).value();
   ASSERT_NE(old, nullptr);
   EXPECT_EQ(old->index, oldest);
@@ -154,7 +154,7 @@ TEST(LiveFrames, KeepTheNewestAsTheyCameAndOlderOnesPacked) {
   EXPECT_LT(cv::norm(old->frames[0]->image, numbered(oldest), cv::NORM_L1) / kFrameBytes, 6.0);
   EXPECT_EQ(library->at(oldest - 1).value(), nullptr);
   library->clear();
-  EXPECT_EQ(library->bytes(), 0U);
+  EXPECT_EQ(library->memoryBytes(), 0U);
 }
 
 } // namespace

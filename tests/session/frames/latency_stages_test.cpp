@@ -38,7 +38,7 @@ TEST(LatencyStages, EachPartIsMeasuredFromTheOneBefore) {
   EXPECT_NEAR(live.compute.p99, 0.002, kAccuracy * 0.002);
   EXPECT_NEAR(live.draw.median, 0.016, kAccuracy * 0.016);
   EXPECT_NEAR(live.total.median, 0.022, kAccuracy * 0.022); // from light to estimate
-  EXPECT_EQ(live.images, (std::array<std::int64_t, kTimeOriginCount>{1, 0, 0}));
+  EXPECT_EQ(live.imageCounts, (std::array<std::int64_t, kTimeOriginCount>{1, 0, 0}));
 }
 
 TEST(LatencyStages, WithoutACaptureTimeItBeginsAtTheArrival) {
@@ -47,7 +47,7 @@ TEST(LatencyStages, WithoutACaptureTimeItBeginsAtTheArrival) {
   const LiveLatency live = stages.summary();
   EXPECT_EQ(live.capture.longest, 0.0); // nobody knows it
   EXPECT_NEAR(live.total.median, 0.012, kAccuracy * 0.012);
-  EXPECT_EQ(live.images[static_cast<std::size_t>(TimeOrigin::Arrival)], 1);
+  EXPECT_EQ(live.imageCounts[static_cast<std::size_t>(TimeOrigin::Arrival)], 1);
 }
 
 TEST(LatencyStages, RecordingsAreNotCounted) {

@@ -45,7 +45,7 @@ TEST(RunLog, ANewNameCountsForAllFrames) {
   std::uint64_t generation = 0;
   std::size_t position = 0;
   log.samplesSince(generation, position);
-  log.change(namedTargets({"pink", "target 2"}));
+  log.updateProject(namedTargets({"pink", "target 2"}));
   EXPECT_EQ(namesIn(log), (std::vector<std::string>{"pink", "target 2", "pink", "target 2"}));
   const auto again = log.samplesSince(generation, position);
   EXPECT_TRUE(again.restarted);
@@ -55,7 +55,7 @@ TEST(RunLog, ANewNameCountsForAllFrames) {
 TEST(RunLog, ExchangedNamesAreExchanged) {
   RunLog log;
   fill(log, {"left", "right"});
-  log.change(namedTargets({"right", "left"}));
+  log.updateProject(namedTargets({"right", "left"}));
   EXPECT_EQ(namesIn(log), (std::vector<std::string>{"right", "left", "right", "left"}));
 }
 
@@ -67,7 +67,7 @@ TEST(RunLog, AnotherTargetLeavesTheNamesOfEarlierFrames) {
   std::uint64_t generation = 0;
   std::size_t position = 0;
   log.samplesSince(generation, position);
-  log.change(other);
+  log.updateProject(other);
   EXPECT_EQ(namesIn(log), (std::vector<std::string>{"ball", "ball"}));
   EXPECT_FALSE(log.samplesSince(generation, position).restarted);
 }

@@ -22,11 +22,11 @@ public:
       person.position = {static_cast<double>(k), 0.0, 1.0};
       person.seeingCameraCount = 2;
     }
-    people_[1].color = Eigen::Vector2d(0.25, 0.5);
+    people_[1].hueAndSaturation = Eigen::Vector2d(0.25, 0.5);
   }
   const std::vector<PersonEstimate>& people() const override { return people_; }
-  const std::vector<Target>& allPeople() const override { return allPeople_; }
-  BodyCloud body(int identity) const override {
+  const std::vector<Target>& peopleAsTargets() const override { return peopleAsTargets_; }
+  BodyCloud bodyOf(int identity) const override {
     BodyCloud cloud{Eigen::ArrayXXd(8, 3), Eigen::ArrayXd::Constant(8, 0.125)};
     for (int i = 0; i < 8; ++i) {
       cloud.points.row(i) << identity - 3.2 + 0.4 * (i & 1), -0.2 + 0.4 * ((i >> 1) & 1),
@@ -35,11 +35,11 @@ public:
     return cloud;
   }
   const std::vector<PeopleCameraState>& cameraStates() const override { return states_; }
-  cv::Mat foreground(std::size_t) const override { return {}; }
+  cv::Mat foregroundMask(std::size_t) const override { return {}; }
 
 private:
   std::vector<PersonEstimate> people_;
-  std::vector<Target> allPeople_;
+  std::vector<Target> peopleAsTargets_;
   std::vector<PeopleCameraState> states_;
 };
 

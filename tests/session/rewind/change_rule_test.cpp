@@ -26,7 +26,7 @@ TEST(ChangeRule, WhatIsDone) {
     ChangeRule::Decision expected;
   };
   const auto situation = [](bool edited, OldResults results) {
-    return ChangeRule::SessionState{.settingsChanged = edited, .old = std::move(results)};
+    return ChangeRule::SessionState{.settingsChanged = edited, .oldResults = std::move(results)};
   };
   std::vector<Case> cases{
       {"nothing is old", situation(true, old({}, kFast)), {Action::Nothing, 0}},

@@ -63,7 +63,7 @@ class TimeTravelTest : public ::testing::TestWithParam<Case> {
 protected:
   static SessionInputs inputs(bool live = false) {
     SessionInputs result = drawnInputs(GetParam().first, kTravelFrames, live);
-    result.historyBytes = GetParam().second;
+    result.maxHistoryBytes = GetParam().second;
     return result;
   }
 };
@@ -86,17 +86,17 @@ TEST_P(TimeTravelTest, ShowsEveryMomentAsItWas) {
     EXPECT_EQ(now->state, PlayState::Paused);
     EXPECT_EQ(now->history.newestTrackedFrame, kTravelFrames - 1);
     EXPECT_EQ(now->history.lastFrame, kTravelFrames - 1);
-    EXPECT_EQ(now->iterations, then->iterations);
+    EXPECT_EQ(now->iterationCount, then->iterationCount);
     EXPECT_TRUE(samePixels(*now->frames, *then->frames)) << frame;
     ASSERT_EQ(now->targets.size(), 1U);
     EXPECT_EQ(std::get<SphereEstimate>(now->targets[0].estimate).mean,
               std::get<SphereEstimate>(then->targets[0].estimate).mean);
     EXPECT_EQ(std::get<SphereEstimate>(now->targets[0].estimate).existenceProbability,
               std::get<SphereEstimate>(then->targets[0].estimate).existenceProbability);
-    EXPECT_TRUE(sameTail(now->targets[0].tail, then->targets[0].tail));
+    EXPECT_TRUE(sameTail(now->targets[0].tailPositions, then->targets[0].tailPositions));
     // A place of the tail is one where the target was held.
-    EXPECT_EQ(now->targets[0].tail.back().allFinite(),
-              std::get<SphereEstimate>(now->targets[0].estimate).valid);
+    EXPECT_EQ(now->targets[0].tailPositions.back().allFinite(),
+              std::get<SphereEstimate>(now->targets[0].estimate).isValid);
     EXPECT_EQ(now->targets[0].status, then->targets[0].status);
     EXPECT_EQ(now->targets[0].positionCandidates.size(),
               then->targets[0].positionCandidates.size());
@@ -175,7 +175,7 @@ TEST(TimeTravelOfColors, RangesThatFollowTheLightAreHeldByTheCopies) {
   const auto inputs = [] {
     SessionInputs result = drawnInputs("dewpoint", kTravelFrames);
     result.source = std::make_unique<FadingRecording>(kTravelFrames);
-    result.historyBytes = std::size_t{100} << 20;
+    result.maxHistoryBytes = std::size_t{100} << 20;
     EXPECT_TRUE(result.project.parameters.set("color_adaptation", 0.5));
     return result;
   };
@@ -217,7 +217,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, TimeTravelTest,
 
 TEST(TimeTravel, APreviewStandsInWhileImagesAreDecoded) {
   SessionInputs inputs = drawnInputs("barrera", kTravelFrames);
-  inputs.historyBytes = std::size_t{2} << 20; // 512 KB for images: one frame set, and small ones
+  inputs.maxHistoryBytes = std::size_t{2} << 20; // 512 KB for images: one frame set, and small ones
   Session session(std::move(inputs));
   playedToTheEnd(session);
   for (std::int64_t frame = 5; frame < 80; frame += 25) {
@@ -320,7 +320,8 @@ TEST(TimeTravel, MasksAndLikelihoodMapsOfAPastMoment) {
 
 TEST(TimeTravel, ALiveRunIsRerunOverItsLastFrames) {
   SessionInputs live = drawnInputs("dewpoint", kTravelFrames, true);
-  live.historyBytes = std::size_t{200} << 20; // everything fits as it came: 90 x 2 x 230 KB = 41 MB
+  live.maxHistoryBytes = std::size_t{200}
+                         << 20; // everything fits as it came: 90 x 2 x 230 KB = 41 MB
   Session session(std::move(live));
   session.play();
   ASSERT_TRUE(eventually(
@@ -338,7 +339,7 @@ TEST(TimeTravel, ALiveRunIsRerunOverItsLastFrames) {
 
 TEST(TimeTravel, ALiveRunKeepsWithinItsMemory) {
   SessionInputs live = drawnInputs("dewpoint", 400, true);
-  live.historyBytes = std::size_t{8} << 20;
+  live.maxHistoryBytes = std::size_t{8} << 20;
   Session session(std::move(live));
   session.play();
   ASSERT_TRUE(eventually([&] { return session.newest()->history.newestTrackedFrame == 399; }));

@@ -21,13 +21,13 @@ TEST(BackgroundImages, ASavedImageIsReadAsItWas) {
   camera.camera.name = "left";
   camera.camera.intrinsics = {80, 50, 100.0, 100.0, 39.5, 24.5};
   camera.rotateDegrees = 90;
-  camera.mirrored = true;
+  camera.isMirrored = true;
   camera.crop = {10, 2, 4, 6};
   const auto file = saveBackgroundImage(project, 0, image, folder);
   ASSERT_TRUE(file) << errorSentence(file.error());
   // As the camera sends it: 94 x 58 before it is cropped, lying on its side.
   EXPECT_EQ(cv::imread(file->string()).size(), cv::Size(58, 94));
-  camera.backgroundImage = file->string();
+  camera.backgroundImageFile = file->string();
   const auto read = loadBackgroundImages(project);
   ASSERT_TRUE(read) << errorSentence(read.error());
   ASSERT_EQ(read->size(), 1U);

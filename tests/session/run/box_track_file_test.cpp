@@ -12,10 +12,10 @@ BoxTrack twoFrames() {
   BoxEstimate estimate;
   estimate.box = {10.5, 20.0, 30.0, 40.0};
   estimate.similarity = 0.75;
-  estimate.spread = 2.0;
+  estimate.spreadPixels = 2.0;
   estimate.effectiveSampleSize = 55.0;
   track.samples.push_back({0.0, 0, 1, estimate});
-  estimate.visible = false;
+  estimate.isVisible = false;
   track.samples.push_back({0.04, 1, 1, estimate});
   return track;
 }

@@ -59,9 +59,9 @@ TEST(FrameFeed, GivesTheBitsOfARun) {
         fed.samples.push_back(feed->samples().front());
       }
       EXPECT_TRUE(test::sameBits(fed, tracked)) << method << ", round " << round;
-      EXPECT_EQ(feed->steps(), kFedFrames);
+      EXPECT_EQ(feed->stepCount(), kFedFrames);
       feed->restart();
-      EXPECT_EQ(feed->steps(), 0);
+      EXPECT_EQ(feed->stepCount(), 0);
     }
   }
 }
@@ -86,11 +86,11 @@ TEST(FrameFeed, RefusesImagesAndTimesThatDoNotFit) {
   EXPECT_EQ(field({images[0], cv::Mat(3, 3, CV_8UC3)}, 0.0), "images");
   EXPECT_EQ(field(images, std::numeric_limits<double>::quiet_NaN()), "time");
   EXPECT_EQ(field(images, 1e12), "time");
-  EXPECT_EQ(feed.steps(), 0);
+  EXPECT_EQ(feed.stepCount(), 0);
   EXPECT_EQ(field({cv::Mat(), images[1]}, 1.0), "");
   EXPECT_EQ(field(images, 1.0), "time");
   EXPECT_EQ(field(images, 1.1), "");
-  EXPECT_EQ(feed.steps(), 2);
+  EXPECT_EQ(feed.stepCount(), 2);
 }
 
 TEST(FrameFeed, NeedsAProjectThatCanBeTracked) {

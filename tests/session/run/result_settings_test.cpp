@@ -14,7 +14,7 @@ RunDefinition ballDefinition() {
   Project project;
   project.parameters = ParameterValues(methodParameters(project.method));
   project.targets.push_back({"ball", 0.03, ColorRange{}});
-  return RunDefinition::of(project);
+  return RunDefinition::fromProject(project);
 }
 
 RunDefinitionPtr with(const std::function<void(RunDefinition&)>& change) {
@@ -41,8 +41,8 @@ TEST(ResultSettings, WhatDecidesResults) {
   EXPECT_TRUE(isSame([](RunDefinition& other) { other.targets[0].samples.resize(1); }));
   EXPECT_TRUE(isSame([](RunDefinition& other) { other.targets[0].isShown = false; }));
   EXPECT_TRUE(isSame([](RunDefinition& other) { other.corrections.resize(1); }));
-  EXPECT_TRUE(isSame([](RunDefinition& other) { other.people.resize(1); }));
-  EXPECT_TRUE(isSame([](RunDefinition& other) { other.parameters.markAllGiven(); }));
+  EXPECT_TRUE(isSame([](RunDefinition& other) { other.personCorrections.resize(1); }));
+  EXPECT_TRUE(isSame([](RunDefinition& other) { other.parameters.markAllAsGiven(); }));
   EXPECT_FALSE(isSame([](RunDefinition& other) { other.targets[0].radius = 0.04; }));
   EXPECT_FALSE(isSame([](RunDefinition& other) { other.targets.clear(); }));
   EXPECT_FALSE(isSame([](RunDefinition& other) { other.seed = 7; }));

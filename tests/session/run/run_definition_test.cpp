@@ -41,7 +41,7 @@ std::vector<cv::Mat> backgroundImages() {
 }
 
 RunDefinition drawnDefinition() {
-  return RunDefinition::of(drawnInputs("dewpoint", 1).project, backgroundImages());
+  return RunDefinition::fromProject(drawnInputs("dewpoint", 1).project, backgroundImages());
 }
 
 /// Tracks again from this frame, to the end.
@@ -95,8 +95,8 @@ TEST(RunDefinition, GoesIntoAProjectAndBack) {
   other.corrections.emplace_back().frame = 12;
   const Project changed = other.appliedTo(project);
   EXPECT_EQ(changed.name, project.name);
-  EXPECT_EQ(changed.cameras[1].backgroundImage, "/rooms/two.png");
-  EXPECT_TRUE(RunDefinition::of(changed, backgroundImages()) == other);
+  EXPECT_EQ(changed.cameras[1].backgroundImageFile, "/rooms/two.png");
+  EXPECT_TRUE(RunDefinition::fromProject(changed, backgroundImages()) == other);
 }
 
 TEST(RunDefinition, SaysWhatIsOtherwise) {
@@ -122,11 +122,12 @@ TEST(RunDefinition, SaysWhatIsOtherwise) {
 
 TEST(RunDefinition, TakesFromTheCamerasWhatNobodyGave) {
   Project project = drawnInputs("barrera", 1).project;
-  EXPECT_EQ(RunDefinition::of(project).parameters, project.parameters); // its start was given
+  EXPECT_EQ(RunDefinition::fromProject(project).parameters,
+            project.parameters); // its start was given
   project.parameters = ParameterValues(methodParameters("barrera"));
-  RunDefinition run = RunDefinition::of(project);
+  RunDefinition run = RunDefinition::fromProject(project);
   EXPECT_EQ(run.parameters, effectiveParameters(project));
-  const StartVolume start = startVolume(run.parameters);
+  const StartVolume start = startVolumeOf(run.parameters);
   EXPECT_TRUE((WorldBox{start.center - start.halfSize, start.center + start.halfSize}.contains(
       drawn::kMiddle)));
   EXPECT_GT(start.halfSize.minCoeff(), 0.2); // the cameras are a meter away
@@ -178,7 +179,7 @@ TEST_P(FilterThreads, AnyNumberGivesTheSameBits) {
   std::vector<Trajectory> found;
   for (const int threads : {1, 2, 5}) {
     SessionInputs inputs = drawnInputs(GetParam(), kDefinedFrames);
-    inputs.threads = threads;
+    inputs.threadCount = threads;
     Session session(std::move(inputs));
     playedToTheEnd(session);
     rerunToTheEnd(session, 11); // from a copy, too
@@ -212,11 +213,11 @@ std::string reportedThreads(const Session& session) {
 // While the run plays, and before a rerun from a copy that another number of threads has made.
 TEST_P(FilterThreads, AnotherNumberTakesOverInTheMiddleOfARun) {
   SessionInputs inputs = drawnInputs(GetParam(), kDefinedFrames);
-  inputs.threads = 1;
+  inputs.threadCount = 1;
   Session plain(std::move(inputs));
   const Trajectory expected = playedToTheEnd(plain);
   inputs = drawnInputs(GetParam(), kDefinedFrames);
-  inputs.threads = 1;
+  inputs.threadCount = 1;
   Session session(std::move(inputs));
   for (int k = 0; k < 15; ++k) {
     session.stepFrame();
@@ -240,9 +241,9 @@ INSTANTIATE_TEST_SUITE_P(Methods, FilterThreads, testing::Values("dewpoint", "ba
 /// Notes what it is told.
 class Notes final : public FrameObserver {
 public:
-  void taken(const FrameSet& frames) override { text += "t" + std::to_string(frames.index); }
-  void iterated(const TrackingRun& /*run*/, double /*microseconds*/) override { text += "i"; }
-  Status tracked(const TrackingRun& run) override {
+  void onFrameTaken(const FrameSet& frames) override { text += "t" + std::to_string(frames.index); }
+  void onIteration(const TrackingRun& /*run*/, double /*microseconds*/) override { text += "i"; }
+  Status onFrameTracked(const TrackingRun& run) override {
     text += "d ";
     if (run.frames()->index == fails) {
       return failure(ErrorCode::FileUnwritable, "", "", "");
@@ -260,7 +261,7 @@ TEST(FrameLoop, TellsOfEveryFrameInOrder) {
   Notes notes;
   const std::array<FrameObserver*, 1> observers{&notes};
   const auto always = [] { return true; };
-  EXPECT_EQ((FrameRange{2, 5}.count(*inputs.source)), 3);
+  EXPECT_EQ((FrameRange{2, 5}.countIn(*inputs.source)), 3);
   EXPECT_TRUE(trackFrames(*inputs.source, {2, 5}, run, observers, always));
   EXPECT_EQ(notes.text, "t2iid t3iid t4iid ");
   notes.text.clear();
@@ -281,7 +282,7 @@ TEST(FrameLoop, GivesTheBitsOfASession) {
   const Trajectory expected = playedToTheEnd(session);
   class Samples final : public FrameObserver {
   public:
-    Status tracked(const TrackingRun& run) override {
+    Status onFrameTracked(const TrackingRun& run) override {
       std::ranges::copy(run.samples(), std::back_inserter(trajectory.samples));
       return {};
     }

@@ -20,12 +20,12 @@ TEST(NoticeLog, EachCauseHasItsPeriods) {
   const auto& periods = log.periods();
   ASSERT_EQ(periods.size(), 3U);
   EXPECT_EQ(periods[0].text, errorSentence(unplugged("left")));
-  EXPECT_EQ(periods[0].from, 1.0);
-  EXPECT_EQ(periods[0].to, 3.0);
-  EXPECT_EQ(periods[1].from, 2.0);
-  EXPECT_FALSE(periods[1].to);
+  EXPECT_EQ(periods[0].startSeconds, 1.0);
+  EXPECT_EQ(periods[0].endSeconds, 3.0);
+  EXPECT_EQ(periods[1].startSeconds, 2.0);
+  EXPECT_FALSE(periods[1].endSeconds);
   EXPECT_EQ(periods[2].text, periods[0].text); // it came back
-  EXPECT_EQ(periods[2].from, 4.0);
+  EXPECT_EQ(periods[2].startSeconds, 4.0);
 }
 
 TEST(NoticeLog, ACauseThatFlickersFillsNoMemory) {
@@ -62,7 +62,7 @@ TEST(RunReport, LiveRunsHaveTheirLatencies) {
   frame.instants = {light, after(40), after(44)};
   FrameSet set;
   set.frames = {std::make_shared<const Frame>(frame)};
-  figures.live.addFrames(set, after(50), after(51));
+  figures.liveLatency.addFrames(set, after(50), after(51));
   const auto json = nlohmann::json::parse(runReport(Project(), figures))["live_milliseconds"];
   EXPECT_EQ(json["images"]["sender"], 1);
   EXPECT_NEAR(json["capture"]["p50"].get<double>(), 40.0, 0.3);

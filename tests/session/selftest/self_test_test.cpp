@@ -39,7 +39,7 @@ TEST(SelfTest, ADiskThatCannotBeWrittenToIsAProblem) {
 
 TEST(SelfTest, ACameraThatMayNotBeOpenedIsAProblem) {
   SelfTestInputs parts = partsWithoutAScene();
-  parts.cameras = {"/dev/video-that-is-not-there"};
+  parts.cameraNames = {"/dev/video-that-is-not-there"};
   EXPECT_EQ(lineOf(runSelfTest(parts), "camera /dev/video-that-is-not-there").level,
             FindingLevel::Problem);
 }

@@ -17,7 +17,7 @@ TrackSnapshot heldBall() {
   SphereEstimate sphere;
   sphere.mean = test::kBall;
   sphere.particleCount = 100;
-  sphere.valid = true;
+  sphere.isValid = true;
   snapshot.targets.emplace_back().estimate = sphere;
   return snapshot;
 }
@@ -47,7 +47,7 @@ TEST(SightLines, ReasonsSayWhereItIsHidden) {
 TEST(SightLines, EvidenceStandsForReasonsThatAreNotGiven) {
   TrackSnapshot snapshot = heldBall();
   auto& sphere = std::get<SphereEstimate>(snapshot.targets[0].estimate);
-  sphere.cameras = {{.inView = true, .visible = 0.0}, {.inView = false}};
+  sphere.cameras = {{.isInView = true, .visibleShare = 0.0}, {.isInView = false}};
   const auto lines = sightLines(snapshot, snapshot.targets[0]);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].camera, 0);

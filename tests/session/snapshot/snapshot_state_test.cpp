@@ -132,12 +132,12 @@ TEST(SnapshotState, AClickMeetsTheNearestPersonWhoseHullIsThere) {
   addPerson(snapshot, test::kBall + Eigen::Vector3d(0.0, 0.3, 0.0)); // behind, for the left camera
   addPerson(snapshot, test::kBall);
   const Eigen::Vector2d center(79.5, 59.5); // where both cameras look
-  EXPECT_EQ(personSeenAt(snapshot, 0, center), 1);
-  EXPECT_EQ(personSeenAt(snapshot, 1, center), 1);
+  EXPECT_EQ(personIndexAt(snapshot, 0, center), 1);
+  EXPECT_EQ(personIndexAt(snapshot, 1, center), 1);
   // Seen from the left side the first one stands beside the ball: 0.3 m at 0.6 m.
-  EXPECT_EQ(personSeenAt(snapshot, 1, {79.5 - 75.0, 59.5}), 0);
-  EXPECT_EQ(personSeenAt(snapshot, 0, {2.0, 2.0}), -1);
-  EXPECT_EQ(personSeenAt(snapshot, 7, center), -1);
+  EXPECT_EQ(personIndexAt(snapshot, 1, {79.5 - 75.0, 59.5}), 0);
+  EXPECT_EQ(personIndexAt(snapshot, 0, {2.0, 2.0}), -1);
+  EXPECT_EQ(personIndexAt(snapshot, 7, center), -1);
 }
 
 TEST(SnapshotState, ACameraIsOneOfTheRig) {
@@ -162,15 +162,15 @@ TrackSnapshot twoBelieved() {
 
 TEST(SnapshotState, APressIsAboutTheTargetNearestToIt) {
   TrackSnapshot snapshot = twoBelieved();
-  EXPECT_EQ(targetNear(snapshot, 2, 0, {79.5, 59.5}, 10.0), 0);
-  EXPECT_EQ(targetNear(snapshot, 2, 0, {104.5, 59.5}, 10.0), 1);
-  EXPECT_EQ(targetNear(snapshot, 2, 0, {94.5, 59.5}, 20.0), 1); // 15 and 10 pixels away
-  EXPECT_EQ(targetNear(snapshot, 2, 0, {94.5, 59.5}, 9.0), -1);
-  EXPECT_EQ(targetNear(snapshot, 1, 0, {104.5, 59.5}, 10.0), -1); // the project has one
-  EXPECT_EQ(targetNear(snapshot, 5, 0, {104.5, 59.5}, 10.0), 1);
-  EXPECT_EQ(targetNear(snapshot, 2, 2, {79.5, 59.5}, 10.0), -1); // no such camera
-  snapshot.targets[1].target.isShown = false;                    // nobody means what is not seen
-  EXPECT_EQ(targetNear(snapshot, 2, 0, {94.5, 59.5}, 20.0), 0);
+  EXPECT_EQ(targetIndexNear(snapshot, 2, 0, {79.5, 59.5}, 10.0), 0);
+  EXPECT_EQ(targetIndexNear(snapshot, 2, 0, {104.5, 59.5}, 10.0), 1);
+  EXPECT_EQ(targetIndexNear(snapshot, 2, 0, {94.5, 59.5}, 20.0), 1); // 15 and 10 pixels away
+  EXPECT_EQ(targetIndexNear(snapshot, 2, 0, {94.5, 59.5}, 9.0), -1);
+  EXPECT_EQ(targetIndexNear(snapshot, 1, 0, {104.5, 59.5}, 10.0), -1); // the project has one
+  EXPECT_EQ(targetIndexNear(snapshot, 5, 0, {104.5, 59.5}, 10.0), 1);
+  EXPECT_EQ(targetIndexNear(snapshot, 2, 2, {79.5, 59.5}, 10.0), -1); // no such camera
+  snapshot.targets[1].target.isShown = false; // nobody means what is not seen
+  EXPECT_EQ(targetIndexNear(snapshot, 2, 0, {94.5, 59.5}, 20.0), 0);
 }
 
 TEST(SnapshotState, NothingIsBelievedBeforeTheFirstParticles) {
@@ -181,7 +181,7 @@ TEST(SnapshotState, NothingIsBelievedBeforeTheFirstParticles) {
   EXPECT_FALSE(positionEstimate(snapshot, -1));
   std::get<SphereEstimate>(snapshot.targets[0].estimate).particleCount = 0;
   EXPECT_FALSE(positionEstimate(snapshot, 0));
-  EXPECT_EQ(targetNear(snapshot, 2, 0, {79.5, 59.5}, 10.0), -1);
+  EXPECT_EQ(targetIndexNear(snapshot, 2, 0, {79.5, 59.5}, 10.0), -1);
 }
 
 TEST(SnapshotState, PixelsAreThoseOfTheCameraWithTheNumber) {

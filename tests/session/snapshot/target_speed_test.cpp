@@ -21,7 +21,7 @@ TrackSnapshot frameAt(std::int64_t frame, bool isHeld = true) {
   snapshot.frames = frames;
   SphereEstimate sphere;
   sphere.mean.x() = kSpeed * kFrameSeconds * static_cast<double>(frame);
-  sphere.valid = isHeld;
+  sphere.isValid = isHeld;
   snapshot.targets.emplace_back().estimate = sphere;
   snapshot.targets.front().target.name = "ball";
   return snapshot;

@@ -75,7 +75,7 @@ protected:
 
   static void waitForImages(const TakeRecorder& take, std::int64_t count) {
     const auto deadline = std::chrono::steady_clock::now() + 20s;
-    while (take.status().cameras[0].counts.images < count &&
+    while (take.status().cameras[0].counts.imageCount < count &&
            std::chrono::steady_clock::now() < deadline) {
       std::this_thread::sleep_for(20ms);
     }
@@ -92,14 +92,14 @@ TEST_F(TakeRecorderTest, OpensAsARecordedProject) {
   waitForImages(**take, 20);
   ASSERT_TRUE((*take)->stop());
   const TakeStatus status = (*take)->status();
-  EXPECT_EQ(status.number, 1);
+  EXPECT_EQ(status.takeNumber, 1);
   EXPECT_EQ(status.folder, folder_ / "take-001");
   const auto loaded = loadProject(status.folder / "project.toml");
   ASSERT_TRUE(loaded) << errorSentence(loaded.error());
   ASSERT_EQ(loaded->cameras.size(), 2U);
   EXPECT_EQ(loaded->cameras[0].source, SourceKind::Video);
   EXPECT_EQ(loaded->cameras[0].location, (status.folder / "left---top.mkv").string());
-  EXPECT_EQ(loaded->cameras[0].times, (status.folder / "left---top.csv").string());
+  EXPECT_EQ(loaded->cameras[0].captureTimeFile, (status.folder / "left---top.csv").string());
   EXPECT_EQ(loaded->cameras[0].delay, 0.02);
   EXPECT_EQ(loaded->cameras[1].camera.intrinsics.width, 640);
   EXPECT_EQ(loaded->targets.at(0).radius, 0.031);
@@ -109,7 +109,7 @@ TEST_F(TakeRecorderTest, OpensAsARecordedProject) {
   const auto notes = nlohmann::json::parse(stream);
   EXPECT_EQ(notes["notes"], "two \"words\"");
   EXPECT_EQ(notes["finished"], true);
-  EXPECT_EQ(notes["cameras"][1]["images"], status.cameras[1].counts.images);
+  EXPECT_EQ(notes["cameras"][1]["images"], status.cameras[1].counts.imageCount);
 }
 
 TEST_F(TakeRecorderTest, NumbersTakesAndStopsFast) {
@@ -119,7 +119,7 @@ TEST_F(TakeRecorderTest, NumbersTakesAndStopsFast) {
   for (const int number : {8, 9}) {
     auto take = TakeRecorder::start(project, rig.feeds, folder_, {});
     ASSERT_TRUE(take) << errorSentence(take.error());
-    EXPECT_EQ((*take)->status().number, number);
+    EXPECT_EQ((*take)->status().takeNumber, number);
     waitForImages(**take, 5);
     const auto begin = std::chrono::steady_clock::now();
     EXPECT_TRUE((*take)->stop());
@@ -152,7 +152,7 @@ TEST_F(TakeRecorderTest, HasTheNumberAndTheNotesThatTheUserGives) {
   const auto again = TakeRecorder::start(project, rig.feeds, folder_, {.number = 20});
   ASSERT_FALSE(again);
   EXPECT_EQ(again.error().code, ErrorCode::BadValue);
-  EXPECT_EQ(makeTakeFolder(folder_)->number, 21); // it counts up from there
+  EXPECT_EQ(makeTakeFolder(folder_)->takeNumber, 21); // it counts up from there
   EXPECT_EQ(makeTakeFolder(folder_, 0).error().code, ErrorCode::BadValue);
 }
 
@@ -165,7 +165,7 @@ TEST_F(TakeRecorderTest, ASilentCameraIsLeftOut) {
   // Also while it is being recorded.
   EXPECT_TRUE(loadProject(folder_ / "take-001" / "project.toml"));
   EXPECT_TRUE((*take)->stop());
-  EXPECT_EQ((*take)->status().cameras[1].counts.images, 0);
+  EXPECT_EQ((*take)->status().cameras[1].counts.imageCount, 0);
   const auto loaded = loadProject(folder_ / "take-001" / "project.toml");
   ASSERT_TRUE(loaded) << errorSentence(loaded.error());
   EXPECT_EQ(loaded->cameras.size(), 1U);

@@ -54,7 +54,7 @@ protected:
     take_ = std::move(*take);
     ASSERT_TRUE(test::eventually([&] {
       const TakeStatus status = take_->status();
-      return status.cameras[0].counts.images >= 5 && status.cameras[1].counts.images >= 5;
+      return status.cameras[0].counts.imageCount >= 5 && status.cameras[1].counts.imageCount >= 5;
     }));
   }
 
@@ -78,8 +78,8 @@ protected:
     live.report = runReport(record.project, record.statistics);
     live.project = record.project;
     live.trajectory = record.people.trajectory;
-    live.sets = session_->liveFrameRecords();
-    live.otherSettings = session_->oldResults().frames;
+    live.frameRecords = session_->liveFrameRecords();
+    live.framesWithOtherSettings = session_->oldResults().frameRanges;
     EXPECT_TRUE(take_->stop());
     const Status added = take_->addLiveRun(live);
     EXPECT_TRUE(added) << errorSentence(added.error());
@@ -110,10 +110,10 @@ TEST_F(TakeReplayTest, ARunThatBeganInTheTakeIsTheSameToTheLastBit) {
   restart();
   track(30);
   const ReplayComparison comparison = compare();
-  EXPECT_TRUE(comparison.isSame()) << allSentences(comparison);
-  EXPECT_GE(comparison.comparedFrames, 30);
-  EXPECT_EQ(comparison.incompleteFrames, 0);
-  EXPECT_EQ(comparison.largestDistance, 0.0);
+  EXPECT_TRUE(comparison.isBitIdentical()) << allSentences(comparison);
+  EXPECT_GE(comparison.comparedFrameCount, 30);
+  EXPECT_EQ(comparison.incompleteFrameCount, 0);
+  EXPECT_EQ(comparison.largestPositionDifference, 0.0);
   EXPECT_TRUE(comparison.changedCameras.empty());
   EXPECT_NE(allSentences(comparison).find("Same in all"), std::string::npos);
 }
@@ -124,9 +124,9 @@ TEST_F(TakeReplayTest, ARunThatBeganEarlierCannotBeCompared) {
   record();
   track(10);
   const ReplayComparison comparison = compare();
-  EXPECT_GE(comparison.framesBeforeTake, 5);
-  EXPECT_EQ(comparison.comparedFrames, 0);
-  EXPECT_FALSE(comparison.isSame());
+  EXPECT_GE(comparison.frameCountBeforeTake, 5);
+  EXPECT_EQ(comparison.comparedFrameCount, 0);
+  EXPECT_FALSE(comparison.isBitIdentical());
   EXPECT_NE(allSentences(comparison).find("before the take"), std::string::npos);
 }
 
@@ -138,11 +138,11 @@ TEST_F(TakeReplayTest, OtherSettingsAndChangedImagesAreReported) {
   ParameterValues other = project_.parameters;
   ASSERT_TRUE(other.set("particles", 150));
   session_->setParameters(other);
-  ASSERT_TRUE(test::eventually([&] { return !session_->oldResults().frames.empty(); }));
+  ASSERT_TRUE(test::eventually([&] { return !session_->oldResults().frameRanges.empty(); }));
   track(10);
   const ReplayComparison comparison = compare();
-  EXPECT_FALSE(comparison.isSame());
-  EXPECT_FALSE(comparison.otherSettings.empty());
+  EXPECT_FALSE(comparison.isBitIdentical());
+  EXPECT_FALSE(comparison.framesWithOtherSettings.empty());
   EXPECT_EQ(comparison.changedCameras, (std::vector<std::string>{"left", "right"}));
   EXPECT_NE(allSentences(comparison).find("other settings"), std::string::npos);
 }

@@ -84,16 +84,16 @@ TEST(CameraOverlay, OutlinesWhatIsNoBall) {
   const auto ball = SphereProjector((*snapshot.rig)[0]).project(sphere.mean, kRadius);
   ASSERT_TRUE(ball);
   EXPECT_LT((overlay.outline->center - ball->center).norm(), 0.5);
-  EXPECT_NEAR(std::sqrt(overlay.outline->semiMajor * overlay.outline->semiMinor), ball->radius,
-              0.01 * ball->radius);
+  EXPECT_NEAR(std::sqrt(overlay.outline->semiMajorAxis * overlay.outline->semiMinorAxis),
+              ball->radius, 0.01 * ball->radius);
   // Twice as long along the image's columns.
   const Eigen::Vector3d across = (*snapshot.rig)[0].cameraFromWorld.linear().row(0);
   *sphere.extent += 3.0 * kRadius * kRadius * across * across.transpose();
   const auto longer = cameraOverlay(snapshot, 0, target);
   ASSERT_TRUE(longer.outline);
-  EXPECT_NEAR(longer.outline->semiMajor, 2.0 * longer.outline->semiMinor,
-              0.1 * longer.outline->semiMinor);
-  EXPECT_NEAR(std::abs(std::cos(longer.outline->angle)), 1.0, 0.02);
+  EXPECT_NEAR(longer.outline->semiMajorAxis, 2.0 * longer.outline->semiMinorAxis,
+              0.1 * longer.outline->semiMinorAxis);
+  EXPECT_NEAR(std::abs(std::cos(longer.outline->angleRadians)), 1.0, 0.02);
 }
 
 TEST(CameraOverlay, HasTheParticleOfHighestWeight) {
@@ -157,9 +157,10 @@ TEST(CameraOverlay, EllipseIsThatOfASampledGaussian) {
     // and the square of 1 cm / 0.6 m.
     const double major = std::sqrt(5.991 * solver.eigenvalues()[1]);
     const double minor = std::sqrt(5.991 * solver.eigenvalues()[0]);
-    EXPECT_NEAR(overlay.ellipse->semiMajor, major, 0.02 * major);
-    EXPECT_NEAR(overlay.ellipse->semiMinor, minor, 0.02 * minor);
-    const Eigen::Vector2d along(std::cos(overlay.ellipse->angle), std::sin(overlay.ellipse->angle));
+    EXPECT_NEAR(overlay.ellipse->semiMajorAxis, major, 0.02 * major);
+    EXPECT_NEAR(overlay.ellipse->semiMinorAxis, minor, 0.02 * minor);
+    const Eigen::Vector2d along(std::cos(overlay.ellipse->angleRadians),
+                                std::sin(overlay.ellipse->angleRadians));
     EXPECT_GT(std::abs(along.dot(solver.eigenvectors().col(1))), std::cos(0.05));
     EXPECT_TRUE(overlay.ellipse->center.isApprox(
         *projector.project(std::get<SphereEstimate>(target.estimate).mean)));
@@ -179,8 +180,8 @@ TEST(CameraOverlay, RoundCloudOnTheAxisIsACircle) {
   const auto overlay = cameraOverlay(snapshot, 0, target);
   ASSERT_TRUE(overlay.ellipse);
   const double radius = std::sqrt(5.991) * 0.01 * 150.0 / 0.6;
-  EXPECT_NEAR(overlay.ellipse->semiMajor, radius, 0.001 * radius);
-  EXPECT_NEAR(overlay.ellipse->semiMinor, radius, 0.001 * radius);
+  EXPECT_NEAR(overlay.ellipse->semiMajorAxis, radius, 0.001 * radius);
+  EXPECT_NEAR(overlay.ellipse->semiMinorAxis, radius, 0.001 * radius);
 }
 
 TEST(CameraOverlay, NoEllipseWithoutAFiniteCovarianceOrBehindTheCamera) {

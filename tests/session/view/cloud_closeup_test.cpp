@@ -51,9 +51,9 @@ TEST(CloudCloseup, ShowsXToTheRightAndZUpFromTheFront) {
   EXPECT_NEAR(closeup->particles[2].x(), 0.0005 / 0.00006, 1e-4);
   EXPECT_NEAR(closeup->particles[2].y(), 0.0, 1e-4);
   EXPECT_NEAR(closeup->particles[1].y(), -0.001 / 0.00006, 1e-4); // along z: upwards
-  EXPECT_NEAR(closeup->outline.semiMajor, 0.002 * std::sqrt(7.814727903251) / 0.00006, 1e-6);
-  EXPECT_NEAR(closeup->outline.semiMinor, 0.001 * std::sqrt(7.814727903251) / 0.00006, 1e-6);
-  EXPECT_NEAR(std::abs(std::sin(closeup->outline.angle)), 1.0, 1e-6);
+  EXPECT_NEAR(closeup->outline.semiMajorAxis, 0.002 * std::sqrt(7.814727903251) / 0.00006, 1e-6);
+  EXPECT_NEAR(closeup->outline.semiMinorAxis, 0.001 * std::sqrt(7.814727903251) / 0.00006, 1e-6);
+  EXPECT_NEAR(std::abs(std::sin(closeup->outline.angleRadians)), 1.0, 1e-6);
 }
 
 TEST(CloudCloseup, ScalesInSteps) {
@@ -81,8 +81,8 @@ TEST(CloudCloseup, ShowsTheParticlesRatherThanTheWholeOutline) {
       cloudCloseup(target, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), 50.0);
   ASSERT_TRUE(closeup.has_value());
   EXPECT_EQ(closeup->particles.size(), 95U);
-  EXPECT_GT(closeup->particles[0].norm(), 8.0); // 0.1 mm
-  EXPECT_GT(closeup->outline.semiMajor, 50.0);  // beyond the border
+  EXPECT_GT(closeup->particles[0].norm(), 8.0);    // 0.1 mm
+  EXPECT_GT(closeup->outline.semiMajorAxis, 50.0); // beyond the border
   // A cloud that is a point is not enlarged without end.
   target.particles = kMean.transpose().replicate(10, 1).array();
   const auto point = cloudCloseup(target, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), 50.0);

@@ -38,7 +38,7 @@ struct ExposedBall {
     estimate.mean = kBall;
     estimate.radius = kBallRadius;
     estimate.particleCount = 100;
-    estimate.valid = true;
+    estimate.isValid = true;
     target.estimate = estimate;
     target.cameraReports.resize(2);
   }
@@ -51,7 +51,7 @@ struct ExposedBall {
     }
     snapshot.frames = std::move(set);
   }
-  void loseTarget() { std::get<SphereEstimate>(snapshot.targets[0].estimate).valid = false; }
+  void loseTarget() { std::get<SphereEstimate>(snapshot.targets[0].estimate).isValid = false; }
 
   TrackSnapshot snapshot;
 };

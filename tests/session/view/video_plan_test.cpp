@@ -19,7 +19,7 @@ std::vector<FrameTime> tenPerSecond(int count) {
 
 FrameNumbers planOf(const std::vector<FrameTime>& frames, std::optional<double> speed,
                     double framesPerSecond) {
-  const auto plan = videoFrames(frames, {speed, framesPerSecond});
+  const auto plan = chooseVideoFrames(frames, {speed, framesPerSecond});
   return plan ? *plan : FrameNumbers();
 }
 
@@ -50,10 +50,10 @@ TEST(VideoPlan, AGapLastsAsLongAsItLasted) {
 TEST(VideoPlan, JitterNeitherRepeatsNorLosesAFrame) {
   std::vector<FrameTime> frames = tenPerSecond(50);
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    frames[k].seconds += k % 3 == 0 ? 0.03 : -0.02;
+    frames[k].timeSeconds += k % 3 == 0 ? 0.03 : -0.02;
   }
-  frames[0].seconds = 5.0;
-  frames[49].seconds = 9.9;
+  frames[0].timeSeconds = 5.0;
+  frames[49].timeSeconds = 9.9;
   const FrameNumbers plan = planOf(frames, 1.0, 10.0);
   ASSERT_EQ(plan.size(), 50U);
   for (std::size_t k = 0; k < plan.size(); ++k) {
@@ -69,9 +69,9 @@ TEST(VideoPlan, ASingleFrameIsAVideo) {
 TEST(VideoPlan, SaysWhatIsWrong) {
   const auto frames = tenPerSecond(3);
   for (const auto& result :
-       {videoFrames({}, {}), videoFrames(frames, {0.0, 30.0}), videoFrames(frames, {1.0, 0.0}),
-        videoFrames(frames, {std::nullopt, -1.0}),
-        videoFrames(std::vector<FrameTime>{{0, 0.0}, {1, 1e9}}, {0.1, 60.0})}) {
+       {chooseVideoFrames({}, {}), chooseVideoFrames(frames, {0.0, 30.0}),
+        chooseVideoFrames(frames, {1.0, 0.0}), chooseVideoFrames(frames, {std::nullopt, -1.0}),
+        chooseVideoFrames(std::vector<FrameTime>{{0, 0.0}, {1, 1e9}}, {0.1, 60.0})}) {
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::BadValue);
   }

@@ -31,7 +31,7 @@ CameraMotionReport back() {
 std::vector<CameraMotionStage> told(CameraMotionMessages& news,
                                     const std::vector<CameraMotionReport>& reports, double now) {
   std::vector<CameraMotionStage> stages;
-  for (const auto& item : news.update(reports, now).items) {
+  for (const auto& item : news.update(reports, now).messages) {
     stages.push_back(item.stage);
   }
   return stages;
@@ -70,10 +70,10 @@ TEST(CameraMotionMessages, WhenOneIsDealtWithTheOthersAreToldAgain) {
   EXPECT_EQ(told(news, {solved(0), solved(1)}, 11.0),
             (Stages{CameraMotionStage::Solved, CameraMotionStage::Solved}));
   const auto after = news.update({solved(1)}, 12.0);
-  EXPECT_TRUE(after.withdrawsEarlier);
-  ASSERT_EQ(after.items.size(), 1U);
-  EXPECT_EQ(after.items[0].report.event.camera, 1U);
-  EXPECT_FALSE(news.update({solved(1)}, 13.0).withdrawsEarlier);
+  EXPECT_TRUE(after.withdrawsEarlierMessages);
+  ASSERT_EQ(after.messages.size(), 1U);
+  EXPECT_EQ(after.messages[0].report.event.camera, 1U);
+  EXPECT_FALSE(news.update({solved(1)}, 13.0).withdrawsEarlierMessages);
 }
 
 TEST(CameraMotionMessages, AnotherRunBeginsAnew) {
@@ -81,8 +81,8 @@ TEST(CameraMotionMessages, AnotherRunBeginsAnew) {
   (void)news.update({solved()}, 11.0);
   news.clear();
   const auto again = news.update({solved()}, 11.0);
-  EXPECT_FALSE(again.withdrawsEarlier);
-  EXPECT_EQ(again.items.size(), 1U);
+  EXPECT_FALSE(again.withdrawsEarlierMessages);
+  EXPECT_EQ(again.messages.size(), 1U);
 }
 
 } // namespace

@@ -66,7 +66,7 @@ cv::Mat picture(const Camera& camera, double time) {
 void run(CameraMotionWatch& watch, const Camera& bumped) {
   CameraRig rig = threeCameras();
   SphereEstimate estimate;
-  estimate.valid = true;
+  estimate.isValid = true;
   estimate.radius = kRadius;
   for (int i = 0; i < 200; ++i) {
     const double time = i / 10.0;
@@ -107,8 +107,8 @@ TEST(CameraMotionWatch, ReportsAndSolvesABumpedCamera) {
   EXPECT_LT(seconds(report.event.time), 12.0);
   ASSERT_TRUE(report.newPose);
   EXPECT_LT(angleBetween(report.newPose->camera, bumped), 0.05 * kDegree);
-  EXPECT_LT(report.newPose->medianPxAfter, 0.3);
-  EXPECT_GT(report.newPose->medianPxBefore, 2.0); // 0.36 degrees at 500 px are 3.1 px
+  EXPECT_LT(report.newPose->medianResidualPxAfter, 0.3);
+  EXPECT_GT(report.newPose->medianResidualPxBefore, 2.0); // 0.36 degrees at 500 px are 3.1 px
   ASSERT_EQ(watch.notices().size(), 1U);
   EXPECT_EQ(watch.notices()[0].field, "camera 2");
   EXPECT_NE(watch.notices()[0].detail.find("degrees"), std::string::npos);

@@ -24,14 +24,14 @@ Project twoVideos() {
 
 TEST(CameraMending, SwappedCamerasGetEachOthersImagesWithTheClicksInThem) {
   Project project = twoVideos();
-  project.points.push_back({"corner", Eigen::Vector3d::Zero(), {{0, {10.0, 20.0}}}});
+  project.measuredPoints.push_back({"corner", Eigen::Vector3d::Zero(), {{0, {10.0, 20.0}}}});
   const Project before = project;
   repairCameras(project, {.fault = CameraFault::Swapped, .cameras = {0, 1}}, 0);
   EXPECT_EQ(project.cameras[0].camera, before.cameras[0].camera);
   EXPECT_EQ(project.cameras[0].location, "/b.mkv");
   EXPECT_EQ(project.cameras[1].location, "/a.mkv");
   EXPECT_DOUBLE_EQ(project.cameras[0].delay, 0.1);
-  EXPECT_EQ(project.points[0].clicks[0].camera, 1);
+  EXPECT_EQ(project.measuredPoints[0].clicks[0].camera, 1);
   repairCameras(project, {.fault = CameraFault::Swapped, .cameras = {0, 1}}, 0);
   EXPECT_EQ(project, before);
 }
@@ -54,7 +54,7 @@ TEST(CameraMending, SimulatedCamerasAreCalibratedForEachOthersImages) {
   EXPECT_EQ(project.cameras[0].camera.name, "left");
   EXPECT_TRUE(
       project.cameras[0].camera.cameraFromWorld.isApprox(before.cameras[1].camera.cameraFromWorld));
-  EXPECT_TRUE(project.cameras[0].adjusted);
+  EXPECT_TRUE(project.cameras[0].hasOwnCalibration);
 }
 
 TEST(CameraMending, ADelayIsAddedToTheOneThatIsKnown) {
@@ -67,9 +67,9 @@ TEST(CameraMending, ARotatedCameraIsRotatedAboutItsCenter) {
   Project project = twoVideos();
   const Camera before = project.cameras[1].camera;
   CameraDisagreement found{.fault = CameraFault::Rotated, .cameras = {0, 1}};
-  found.turns = {Eigen::Vector3d::Zero(), Eigen::Vector3d(0.0, 0.05, 0.0)};
+  found.rotationCorrections = {Eigen::Vector3d::Zero(), Eigen::Vector3d(0.0, 0.05, 0.0)};
   repairCameras(project, found, 1);
-  EXPECT_EQ(project.cameras[1].camera, rotatedCamera(before, found.turns[1]));
+  EXPECT_EQ(project.cameras[1].camera, rotatedCamera(before, found.rotationCorrections[1]));
   EXPECT_TRUE(project.cameras[1].camera.center().isApprox(before.center(), 1e-12));
 }
 
@@ -79,7 +79,7 @@ TEST(CameraMending, MillimetersBecomeMeters) {
   for (ProjectCamera& camera : project.cameras) {
     camera.camera.cameraFromWorld.translation() *= 1000.0;
   }
-  repairCameras(project, {.fault = CameraFault::Unit, .scale = 0.001}, 0);
+  repairCameras(project, {.fault = CameraFault::Unit, .metersPerUnit = 0.001}, 0);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_TRUE(project.cameras[k].camera.center().isApprox(before.cameras[k].camera.center()));
   }

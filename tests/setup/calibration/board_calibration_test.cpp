@@ -52,7 +52,7 @@ struct Recorded {
       RecordedCamera one;
       one.name = camera.name;
       one.kind = RecordedCamera::Kind::Generated;
-      one.generatedFrames = kFrames;
+      one.generatedFrameCount = kFrames;
       one.generate = [this, &camera](std::int64_t frame) {
         cv::Mat picture = renderBoard(
             board, camera, camera.cameraFromWorld * worldFromBoard[static_cast<std::size_t>(frame)],
@@ -80,7 +80,7 @@ TEST(BoardCalibration, LensesAndPosesOfARecording) {
   const auto seen = findBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen) << errorSentence(seen.error());
   ASSERT_EQ(seen->cameras.size(), 2U);
-  EXPECT_EQ(seen->cameras[0].searchedImages, kFrames);
+  EXPECT_EQ(seen->cameras[0].searchedImageCount, kFrames);
   EXPECT_GE(seen->cameras[0].views.size(), 12U);
 
   const auto lenses = intrinsicsFromBoards(*seen, wish);
@@ -129,7 +129,7 @@ TEST(BoardCalibration, OnlyTheFramesOfARangeAreSearched) {
   wish.endFrame = 6;
   auto seen = findBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen) << errorSentence(seen.error());
-  EXPECT_EQ(seen->cameras[0].searchedImages, 3);
+  EXPECT_EQ(seen->cameras[0].searchedImageCount, 3);
   for (const BoardView& view : seen->cameras[0].views) {
     EXPECT_GE(view.instant, 3);
     EXPECT_LT(view.instant, 6);
@@ -138,7 +138,7 @@ TEST(BoardCalibration, OnlyTheFramesOfARangeAreSearched) {
   wish.floorFrame = 0; // outside the range, but it is what makes the world
   seen = findBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen) << errorSentence(seen.error());
-  EXPECT_EQ(seen->cameras[0].searchedImages, 4);
+  EXPECT_EQ(seen->cameras[0].searchedImageCount, 4);
 
   wish.firstFrame = kFrames;
   wish.endFrame.reset();
@@ -196,8 +196,8 @@ TEST(BoardCalibration, ACameraThatNeverSawTheBoardKeepsWhatItHas) {
   EXPECT_EQ(remarks[1], "'door' never saw the board: it keeps its pose.");
   // Fourteen small images leave the edges open; the other lens was given.
   EXPECT_TRUE(remarks[2].starts_with("the lens of 'left' is poorly known")) << remarks[2];
-  EXPECT_TRUE(outcome->extrinsics->fits[0].views.empty());
-  EXPECT_GE(outcome->extrinsics->fits[2].views.size(), 10U);
+  EXPECT_TRUE(outcome->extrinsics->cameraFits[0].views.empty());
+  EXPECT_GE(outcome->extrinsics->cameraFits[2].views.size(), 10U);
   // The distance between the other two is that of the scene.
   const double apart =
       (outcome->project.cameras[1].camera.center() - outcome->project.cameras[2].camera.center())
@@ -247,10 +247,10 @@ TEST(BoardCalibration, SaysAVerdictAndNoFault) {
   ASSERT_TRUE(outcome->accuracy) << outcome->accuracySummary;
   EXPECT_TRUE(outcome->extrinsics->faults.empty()) << outcome->extrinsics->faults[0].sentence;
   // 0.2 mm over 7 squares of 30 mm are 0.1 % (one sigma), at least.
-  EXPECT_NEAR(outcome->accuracy->scale95.value(), 1.96 * 0.2 / 210.0, 0.0005);
-  EXPECT_GT(outcome->accuracy->upAngle95.value(), 0.001);
-  EXPECT_LT(outcome->accuracy->upAngle95.value(), 0.05);
-  EXPECT_LT(outcome->accuracy->position95, 0.002);
+  EXPECT_NEAR(outcome->accuracy->scaleError95.value(), 1.96 * 0.2 / 210.0, 0.0005);
+  EXPECT_GT(outcome->accuracy->upAngleError95.value(), 0.001);
+  EXPECT_LT(outcome->accuracy->upAngleError95.value(), 0.05);
+  EXPECT_LT(outcome->accuracy->positionError95, 0.002);
   EXPECT_NE(outcome->report.find("In this volume"), std::string::npos);
 }
 
@@ -258,7 +258,7 @@ TEST(BoardCalibration, APoorlyKnownLensIsNamed) {
   Recorded recorded;
   project::LensRecord known = project::recordOfLens(recorded.cameras[1], CalibrationOrigin::File);
   known.error = 25.0;
-  recorded.project.cameras[1].calibrated.lens = known;
+  recorded.project.cameras[1].calibrationRecord.lens = known;
   const auto source = recorded.open();
   const auto seen = findBoards(recorded.project, *source, recorded.wish());
   ASSERT_TRUE(seen) << errorSentence(seen.error());

@@ -93,12 +93,12 @@ TEST(BoardGuide, WhoDoesAsToldGetsALens) {
     const auto tilt = static_cast<BoardTilt>(step % 5);
     const auto pose = room.shown(region, tilt, step % 4 == 3 ? 0.3 : 0.42);
     for (int k = 0; k < kStill && state.phase == Phase::Lenses; ++k) {
-      state = guide.step(*room.frames(pose));
+      state = guide.processFrame(*room.frames(pose));
     }
   }
   EXPECT_EQ(state.phase, Phase::Finished) << step;
-  ASSERT_TRUE(state.cameras[0].lens.projectionSigmaPx);
-  EXPECT_LE(*state.cameras[0].lens.projectionSigmaPx, 2.0);
+  ASSERT_TRUE(state.cameras[0].lensGuidance.projectionSigmaPx);
+  EXPECT_LE(*state.cameras[0].lensGuidance.projectionSigmaPx, 2.0);
   EXPECT_GE(state.cameras[0].capturedOutlines.size(), 10U);
   EXPECT_EQ(state.cameras[0].capturedOutlines.size(), state.detections->cameras[0].views.size());
 
@@ -116,7 +116,7 @@ TEST(BoardGuide, TheSameFramesGiveTheSameViews) {
     Room room;
     BoardGuide guide(room.project, room.wish, 1 + run);
     for (int k = 0; k < 3 * kStill; ++k) {
-      guide.step(*room.frames(room.shown(7 + 3 * (k / kStill), BoardTilt::Flat)));
+      guide.processFrame(*room.frames(room.shown(7 + 3 * (k / kStill), BoardTilt::Flat)));
     }
     runs.push_back(*guide.state().detections);
   }
@@ -144,16 +144,16 @@ TEST(BoardGuide, PlacesFromABoardThatBothSee) {
   BoardGuideState state;
   for (int place = 0; place < 20 && state.phase != Phase::Finished; ++place) {
     for (int k = 0; k < kStill && state.phase != Phase::Finished; ++k) {
-      state = guide.step(
+      state = guide.processFrame(
           *room.frames(room.shown((place * 5) % 24, static_cast<BoardTilt>(place % 5), 0.5)));
     }
     if (place == 0) {
-      EXPECT_EQ(state.rig.firstCamera, 0);
-      EXPECT_EQ(state.rig.secondCamera, 1);
+      EXPECT_EQ(state.rigGuidance.firstCamera, 0);
+      EXPECT_EQ(state.rigGuidance.secondCamera, 1);
     }
   }
   EXPECT_EQ(state.phase, Phase::Finished);
-  EXPECT_GE(state.rig.instantCount, 5);
+  EXPECT_GE(state.rigGuidance.instantCount, 5);
   ASSERT_TRUE(state.cameras[1].positionSigma);
   EXPECT_LE(*state.cameras[1].positionSigma, room.wish.requiredPositionSigma);
   const auto outcome =
@@ -168,16 +168,16 @@ TEST(BoardGuide, TakesWhatAPersonAsksForAndGoesOn) {
   Room room;
   room.wish.goal = {true, true};
   BoardGuide guide(room.project, room.wish);
-  guide.step(*room.frames(room.shown(9, BoardTilt::Flat)));
+  guide.processFrame(*room.frames(room.shown(9, BoardTilt::Flat)));
   const auto state = guide.captureNow();
-  EXPECT_EQ(state.cameras[0].lens.viewCount, 1);
+  EXPECT_EQ(state.cameras[0].lensGuidance.viewCount, 1);
   EXPECT_EQ(state.detections->cameras[0].views.size(), 1U);
   EXPECT_EQ(guide.skipToPoses().phase, Phase::Poses);
-  guide.step(*room.frames(room.shown(16, BoardTilt::Flat, 0.5)));
-  EXPECT_EQ(guide.captureNow().rig.instantCount, 1);
+  guide.processFrame(*room.frames(room.shown(16, BoardTilt::Flat, 0.5)));
+  EXPECT_EQ(guide.captureNow().rigGuidance.instantCount, 1);
   EXPECT_EQ(guide.state().cameras[1].pairViewCount, 1);
   EXPECT_FALSE(guide.state().floorFrame);
-  guide.step(*room.frames(room.shown(10, BoardTilt::Flat, 0.5)));
+  guide.processFrame(*room.frames(room.shown(10, BoardTilt::Flat, 0.5)));
   EXPECT_EQ(guide.captureFloor().floorFrame, 2);
 }
 
@@ -206,18 +206,18 @@ TEST(BoardGuide, ACameraWithoutImagesHoldsNobodyUp) {
   for (int k = 0; k < kStill; ++k) {
     FrameSet frames = *room.frames(room.shown(9, BoardTilt::Flat));
     frames.frames[1] = nullptr;
-    state = guide.step(frames);
+    state = guide.processFrame(frames);
   }
-  EXPECT_EQ(state.cameras[0].lens.viewCount, 1);
-  EXPECT_EQ(state.cameras[1].width, 0);
+  EXPECT_EQ(state.cameras[0].lensGuidance.viewCount, 1);
+  EXPECT_EQ(state.cameras[1].imageWidth, 0);
 }
 
 TEST(BoardGuideThread, LooksAtTheNewestImagesInItsOwnThread) {
   Room room;
   std::atomic<int> woken = 0;
   BoardGuideThread watch([&] { ++woken; });
-  EXPECT_TRUE(watch.newest()->cameras.empty());
-  watch.begin(room.project, room.wish);
+  EXPECT_TRUE(watch.newestState()->cameras.empty());
+  watch.start(room.project, room.wish);
   const auto pose = room.shown(9, BoardTilt::Flat);
   const auto until = [&](const std::function<bool()>& reached) {
     while (!reached()) {
@@ -227,14 +227,14 @@ TEST(BoardGuideThread, LooksAtTheNewestImagesInItsOwnThread) {
   for (int k = 0; k < kStill; ++k) {
     const auto frames = room.frames(pose);
     watch.offer(frames);
-    until([&] { return watch.newest()->frame == frames->index; });
+    until([&] { return watch.newestState()->frame == frames->index; });
   }
-  EXPECT_EQ(watch.newest()->cameras[0].lens.viewCount, 1);
+  EXPECT_EQ(watch.newestState()->cameras[0].lensGuidance.viewCount, 1);
   EXPECT_GE(woken, kStill);
   watch.captureNow();
-  until([&] { return watch.newest()->cameras[0].lens.viewCount == 2; });
-  watch.begin(room.project, room.wish); // over again, at once
-  EXPECT_EQ(watch.newest()->cameras[0].lens.viewCount, 0);
+  until([&] { return watch.newestState()->cameras[0].lensGuidance.viewCount == 2; });
+  watch.start(room.project, room.wish); // over again, at once
+  EXPECT_EQ(watch.newestState()->cameras[0].lensGuidance.viewCount, 0);
 }
 
 } // namespace

@@ -43,7 +43,7 @@ Corners triangulated(const CameraRig& cameras, const std::vector<CameraFit>& fit
   for (std::size_t k = 0; k < cameras.size(); ++k) {
     const Unprojector unprojector(cameras[k]);
     for (const ViewFit& view : fits[k].views) {
-      for (std::size_t c = 0; view.used && c < view.ids.size(); ++c) {
+      for (std::size_t c = 0; view.isUsed && c < view.ids.size(); ++c) {
         if (const auto ray = unprojector.ray(view.pixels[c])) {
           rays[{view.instant, view.ids[c]}].push_back(*ray);
         }
@@ -196,7 +196,7 @@ TEST(BoardRecordings, Charuco4) {
   EXPECT_LE(theirs.back(), 0.005);
   // And our own, which come from further cameras too: at instants 9, 23 and 41 one of them was
   // late.
-  const Corners ours = triangulated(result->cameras, result->fits);
+  const Corners ours = triangulated(result->cameras, result->cameraFits);
   const auto own = apart("charuco4, own image points", ours, published);
   EXPECT_LE(own[own.size() / 2], 0.0025);
   const double spacing = meanOf(spacings(ours, wish.board));
@@ -231,7 +231,7 @@ TEST(BoardRecordings, StereoTray) {
   const auto held = calibrateExtrinsics(request);
   ASSERT_TRUE(held) << errorSentence(held.error());
   EXPECT_LE(held->rmsPx, 0.516);
-  request.refineIntrinsics = true;
+  request.refinesIntrinsics = true;
   const auto result = calibrateExtrinsics(request);
   ASSERT_TRUE(result) << errorSentence(result.error());
   for (const std::string& notice : result->notices) {
@@ -253,7 +253,7 @@ TEST(BoardRecordings, Ball9Arena) {
   }
   ExtrinsicsRequest request;
   request.board = boardOf("chessboard:11x8:0.020");
-  request.worldInstant = 0;
+  request.worldDefiningInstant = 0;
   for (int k = 0; k < 9; ++k) {
     const auto floor = findBoards({folder / ("board_view" + std::to_string(k) + ".jpg")},
                                   request.board, DetectionEffort::Exact);
@@ -272,7 +272,7 @@ TEST(BoardRecordings, Ball9Arena) {
   ASSERT_GE(request.cameras.size(), 5U);
   const auto result = calibrateExtrinsics(request);
   ASSERT_TRUE(result) << errorSentence(result.error());
-  const auto distances = spacings(triangulated(result->cameras, result->fits), request.board);
+  const auto distances = spacings(triangulated(result->cameras, result->cameraFits), request.board);
   const auto [least, most] = std::ranges::minmax(distances);
   std::printf("ball9_arena: %zu views, rms %.3f px, spacing mean %.3f mm, %.3f to %.3f mm\n",
               request.cameras.size(), result->rmsPx, 1e3 * meanOf(distances), 1e3 * least,

@@ -27,7 +27,7 @@ struct ShownRecording {
       RecordedCamera one;
       one.name = camera.camera.name;
       one.kind = RecordedCamera::Kind::Generated;
-      one.generatedFrames = frames;
+      one.generatedFrameCount = frames;
       std::vector<cv::Mat> images; // drawn once: drawing takes longer than the search
       for (const auto& pose :
            variedPoses(board, camera.camera, 5, 4 + static_cast<std::uint64_t>(k))) {
@@ -84,13 +84,13 @@ TEST(BoardSearch, ALongRecordingIsNotSearchedForTheWrongBoard) {
   ASSERT_TRUE(first) << errorSentence(first.error());
   EXPECT_TRUE(first->hasOnlyOtherBoard());
   EXPECT_FALSE(first->hasSearchedAllFrames);
-  EXPECT_EQ(first->cameras[0].searchedImages, kBoardProposalFrames);
-  request.suggestBoardFirst = false;
+  EXPECT_EQ(first->cameras[0].searchedImageCount, kBoardProposalFrames);
+  request.checksForOtherBoardFirst = false;
   const auto all = findBoards(recording.project, *source, request);
   ASSERT_TRUE(all) << errorSentence(all.error());
   EXPECT_TRUE(all->hasOnlyOtherBoard());
   EXPECT_TRUE(all->hasSearchedAllFrames);
-  EXPECT_EQ(all->cameras[0].searchedImages, 40);
+  EXPECT_EQ(all->cameras[0].searchedImageCount, 40);
 }
 
 TEST(BoardSearch, TheRightBoardIsSearchedForInAllFrames) {
@@ -106,8 +106,8 @@ TEST(BoardSearch, TheRightBoardIsSearchedForInAllFrames) {
       });
   ASSERT_TRUE(seen);
   EXPECT_FALSE(seen->otherBoard);
-  EXPECT_EQ(seen->cameras[1].searchedImages, 40);
-  request.suggestBoardFirst = false;
+  EXPECT_EQ(seen->cameras[1].searchedImageCount, 40);
+  request.checksForOtherBoardFirst = false;
   const auto again = findBoards(recording.project, *source, request);
   ASSERT_TRUE(again);
   ASSERT_EQ(again->cameras[0].views.size(), seen->cameras[0].views.size());
@@ -127,13 +127,13 @@ TEST(BoardSearch, AMirroredCameraIsNamed) {
   EXPECT_TRUE(seen->cameras[1].otherBoard->isMirrored);
   const MirroredVideos mirrored = mirroredVideos(*seen);
   EXPECT_EQ(mirrored.cause, MirroredVideos::Cause::Videos);
-  EXPECT_EQ(mirrored.cameras, std::vector<std::size_t>{1});
+  EXPECT_EQ(mirrored.mirroredCameras, std::vector<std::size_t>{1});
   EXPECT_EQ(findMirroredVideos(*source, request.board).value(), mirrored);
   const auto lenses = intrinsicsFromBoards(*seen, request);
   ASSERT_TRUE(lenses) << errorSentence(lenses.error());
-  ASSERT_EQ(lenses->keptIntrinsics.size(), 1U);
-  EXPECT_NE(lenses->keptIntrinsics[0].detail.find("mirror"), std::string::npos)
-      << lenses->keptIntrinsics[0].detail;
+  ASSERT_EQ(lenses->keptIntrinsicsReasons.size(), 1U);
+  EXPECT_NE(lenses->keptIntrinsicsReasons[0].detail.find("mirror"), std::string::npos)
+      << lenses->keptIntrinsicsReasons[0].detail;
   const auto poses = extrinsicsFromBoards(recording.project, *seen, request);
   ASSERT_FALSE(poses);
   EXPECT_NE(poses.error().detail.find("mirror"), std::string::npos) << poses.error().detail;

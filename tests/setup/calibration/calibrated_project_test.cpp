@@ -24,15 +24,15 @@ Camera moved(Camera camera) {
 TEST(CalibratedProject, OnlyASimulatedCameraThatChangesCountsAsAdjusted) {
   Project project = mixedProject();
   setCalibration(project.cameras[0], Camera(project.cameras[0].camera));
-  EXPECT_FALSE(project.cameras[0].adjusted);
+  EXPECT_FALSE(project.cameras[0].hasOwnCalibration);
   for (ProjectCamera& camera : project.cameras) {
     setCalibration(camera, moved(camera.camera));
   }
-  EXPECT_TRUE(project.cameras[0].adjusted);
-  EXPECT_FALSE(project.cameras[1].adjusted);
+  EXPECT_TRUE(project.cameras[0].hasOwnCalibration);
+  EXPECT_FALSE(project.cameras[1].hasOwnCalibration);
   EXPECT_EQ(project.cameras[1].camera, moved(test::twoCameras()[1]));
   setCalibration(project.cameras[0], test::twoCameras()[0]); // back where it was: still adjusted
-  EXPECT_TRUE(project.cameras[0].adjusted);
+  EXPECT_TRUE(project.cameras[0].hasOwnCalibration);
 }
 
 TEST(CalibratedProject, EveryWayToACalibrationKeepsThatRule) {
@@ -46,8 +46,8 @@ TEST(CalibratedProject, EveryWayToACalibrationKeepsThatRule) {
   }
   const Project seen = withIntrinsics(project, lenses);
   for (const Project& changed : {placed, seen}) {
-    EXPECT_TRUE(changed.cameras[0].adjusted);
-    EXPECT_FALSE(changed.cameras[1].adjusted);
+    EXPECT_TRUE(changed.cameras[0].hasOwnCalibration);
+    EXPECT_FALSE(changed.cameras[1].hasOwnCalibration);
   }
 }
 
@@ -69,17 +69,17 @@ TEST(CalibratedProject, ATurnedPictureTakesItsCalibrationAndClicksAlong) {
   Project project = mixedProject();
   const Camera before = project.cameras[1].camera; // 160 x 120
   project.cameras[1].rotateDegrees = 90;
-  project.points.emplace_back().name = "corner";
-  setClickIn(project.points[0], 0, {10.0, 20.0});
-  setClickIn(project.points[0], 1, {30.0, 40.0}, 12);
+  project.measuredPoints.emplace_back().name = "corner";
+  setClickIn(project.measuredPoints[0], 0, {10.0, 20.0});
+  setClickIn(project.measuredPoints[0], 1, {30.0, 40.0}, 12);
   const Project rotated = withImageSymmetry(project, 1, {180, false});
   EXPECT_EQ(rotated.cameras[1].rotateDegrees, 270);
-  EXPECT_FALSE(rotated.cameras[1].mirrored);
+  EXPECT_FALSE(rotated.cameras[1].isMirrored);
   EXPECT_EQ(rotated.cameras[0], project.cameras[0]);
-  EXPECT_EQ(clickIn(rotated.points[0], 0)->pixel, Eigen::Vector2d(10.0, 20.0));
-  EXPECT_EQ(clickIn(rotated.points[0], 1)->frame, 12);
+  EXPECT_EQ(findClick(rotated.measuredPoints[0], 0)->pixel, Eigen::Vector2d(10.0, 20.0));
+  EXPECT_EQ(findClick(rotated.measuredPoints[0], 1)->frame, 12);
   // Upside down, pixel centers at integers: 159 - 30 and 119 - 40.
-  EXPECT_EQ(clickIn(rotated.points[0], 1)->pixel, Eigen::Vector2d(129.0, 79.0));
+  EXPECT_EQ(findClick(rotated.measuredPoints[0], 1)->pixel, Eigen::Vector2d(129.0, 79.0));
   // A point of the world moves with its pixel.
   const Eigen::Vector3d point(0.02, 0.03, 0.15);
   const auto was = Projector(before).project(point);
@@ -97,7 +97,7 @@ TEST(CalibratedProject, AnOrientationReplacesTheOneBefore) {
   EXPECT_EQ(upright.cameras[1].camera.intrinsics.height, 160);
   const Project mirrored = withImageOrientation(upright, 1, 180, true);
   EXPECT_EQ(mirrored.cameras[1].rotateDegrees, 180);
-  EXPECT_TRUE(mirrored.cameras[1].mirrored);
+  EXPECT_TRUE(mirrored.cameras[1].isMirrored);
   EXPECT_EQ(withImageOrientation(mirrored, 1, 180, true), mirrored);
   EXPECT_EQ(withImageOrientation(project, 1, 45, false), project); // not a quarter
   guessCalibration(project, 1, {160, 120});
@@ -110,9 +110,9 @@ TEST(CalibratedProject, AnOrientationReplacesTheOneBefore) {
 TEST(CalibratedProject, ACroppedPictureTakesItsCalibrationAndClicksAlong) {
   Project project = mixedProject();
   const Camera before = project.cameras[1].camera; // 160 x 120
-  project.points.emplace_back().name = "corner";
-  setClickIn(project.points[0], 0, {10.0, 20.0});
-  setClickIn(project.points[0], 1, {30.0, 40.0});
+  project.measuredPoints.emplace_back().name = "corner";
+  setClickIn(project.measuredPoints[0], 0, {10.0, 20.0});
+  setClickIn(project.measuredPoints[0], 1, {30.0, 40.0});
   ColorSample inside;
   inside.camera = 1;
   inside.x = 80.0;
@@ -126,7 +126,7 @@ TEST(CalibratedProject, ACroppedPictureTakesItsCalibrationAndClicksAlong) {
   box.camera = 1;
   box.box = {60.0, 50.0, 20.0, 20.0};
   project.targets[0].box = box;
-  project.cameras[1].calibrated.lens = recordOfLens(before, CalibrationOrigin::Board);
+  project.cameras[1].calibrationRecord.lens = recordOfLens(before, CalibrationOrigin::Board);
   const ImageMargins margins{20, 10, 30, 5};
   const auto cropped = withImageCrop(project, 1, margins);
   ASSERT_TRUE(cropped) << errorSentence(cropped.error());
@@ -135,20 +135,20 @@ TEST(CalibratedProject, ACroppedPictureTakesItsCalibrationAndClicksAlong) {
   EXPECT_EQ(cropped->cameras[1].camera.intrinsics.width, 110);
   EXPECT_EQ(cropped->cameras[1].camera.intrinsics.height, 105);
   EXPECT_EQ(cropped->cameras[1].camera.intrinsics.centerX, before.intrinsics.centerX - 20.0);
-  EXPECT_EQ(clickIn(cropped->points[0], 0)->pixel, Eigen::Vector2d(10.0, 20.0));
-  EXPECT_EQ(clickIn(cropped->points[0], 1)->pixel, Eigen::Vector2d(10.0, 30.0));
+  EXPECT_EQ(findClick(cropped->measuredPoints[0], 0)->pixel, Eigen::Vector2d(10.0, 20.0));
+  EXPECT_EQ(findClick(cropped->measuredPoints[0], 1)->pixel, Eigen::Vector2d(10.0, 30.0));
   ASSERT_EQ(cropped->targets[0].samples.size(), 2U); // the one outside is gone
   EXPECT_EQ(cropped->targets[0].samples[0].x, 60.0);
   EXPECT_EQ(cropped->targets[0].samples[1], other);
   ASSERT_TRUE(cropped->targets[0].box);
   EXPECT_EQ(cropped->targets[0].box->box, (ImageBox{40.0, 40.0, 20.0, 20.0}));
-  EXPECT_EQ(cropped->cameras[1].calibrated.lens,
+  EXPECT_EQ(cropped->cameras[1].calibrationRecord.lens,
             recordOfLens(cropped->cameras[1].camera, CalibrationOrigin::Board));
   // New margins replace these.
   const auto whole = withImageCrop(*cropped, 1, {});
   ASSERT_TRUE(whole);
   EXPECT_EQ(whole->cameras[1], project.cameras[1]);
-  EXPECT_EQ(whole->points, project.points);
+  EXPECT_EQ(whole->measuredPoints, project.measuredPoints);
   // What is rotated later takes the margins along.
   const Project rotated = withImageSymmetry(*cropped, 1, {180, false});
   EXPECT_EQ(rotated.cameras[1].crop, (ImageMargins{30, 5, 20, 10}));
@@ -204,11 +204,11 @@ TEST(CalibratedProject, OnlyAFocalLengthThatWasComputedCountsAsMeasured) {
   found.camera = 1;
   found.clickCount = kFewestPointsOfFocal - 1;
   const Project kept = withPointSolution(project, solution, true);
-  EXPECT_TRUE(kept.cameras[1].calibrated.pose);
-  EXPECT_FALSE(kept.cameras[1].calibrated.lens);
+  EXPECT_TRUE(kept.cameras[1].calibrationRecord.pose);
+  EXPECT_FALSE(kept.cameras[1].calibrationRecord.lens);
   found.clickCount = kFewestPointsOfFocal;
-  EXPECT_TRUE(withPointSolution(project, solution, true).cameras[1].calibrated.lens);
-  EXPECT_FALSE(withPointSolution(project, solution, false).cameras[1].calibrated.lens);
+  EXPECT_TRUE(withPointSolution(project, solution, true).cameras[1].calibrationRecord.lens);
+  EXPECT_FALSE(withPointSolution(project, solution, false).cameras[1].calibrationRecord.lens);
 }
 
 TEST(CalibratedProject, AClickReplacesTheOneInTheSameCamera) {
@@ -217,8 +217,8 @@ TEST(CalibratedProject, AClickReplacesTheOneInTheSameCamera) {
   setClickIn(point, 0, {3.0, 4.0});
   setClickIn(point, 2, {5.0, 6.0});
   ASSERT_EQ(point.clicks.size(), 2U);
-  EXPECT_EQ(clickIn(point, 2)->pixel, Eigen::Vector2d(5.0, 6.0));
-  EXPECT_EQ(clickIn(point, 1), nullptr);
+  EXPECT_EQ(findClick(point, 2)->pixel, Eigen::Vector2d(5.0, 6.0));
+  EXPECT_EQ(findClick(point, 1), nullptr);
 }
 
 } // namespace

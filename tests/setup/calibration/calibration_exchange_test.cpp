@@ -71,9 +71,9 @@ TEST_F(CalibrationExchange, ImportMatchesByNameAndSaysWhatChanges) {
   wish.hints.metersPerUnit = 0.001;
   const auto made = importCalibration(project_, wish);
   ASSERT_TRUE(made) << errorSentence(made.error());
-  EXPECT_FALSE(made->wasMatchedByOrder);
+  EXPECT_FALSE(made->wereCamerasMatchedByOrder);
   EXPECT_FALSE(made->hasOnlyIntrinsics);
-  EXPECT_LT(made->maxDifferencePx, 1e-6);
+  EXPECT_LT(made->maxConversionErrorPx, 1e-6);
   ASSERT_EQ(made->cameras.size(), 2U);
   EXPECT_EQ(made->cameras[0].name, "left");
   EXPECT_NEAR(made->cameras[0].poseChange.meters, 0.0, 1e-9);
@@ -102,7 +102,7 @@ TEST_F(CalibrationExchange, NamesThatDoNotFitAreAskedForAndMapped) {
   EXPECT_EQ(
       asked.error.detail,
       "it has 3 cameras ('right', 'third', 'fourth'), and the project has 2 ('left', 'right')");
-  wish.adaptation.names = {{"left", "right"}, {"right", "fourth"}};
+  wish.adaptation.cameraRenaming = {{"left", "right"}, {"right", "fourth"}};
   const auto made = importCalibration(project_, wish);
   ASSERT_TRUE(made) << errorSentence(made.error());
   ASSERT_EQ(made->cameras.size(), 2U);
@@ -125,14 +125,14 @@ TEST_F(CalibrationExchange, TwoCamerasOfOnePoseAreNamed) {
   ASSERT_TRUE(saveCalibration(rig, file));
   auto made = importCalibration(project_, {file, {}});
   ASSERT_TRUE(made) << errorSentence(made.error());
-  EXPECT_TRUE(made->faults.empty());
+  EXPECT_TRUE(made->likelyMistakes.empty());
   rig[1].cameraFromWorld = rig[0].cameraFromWorld;
   ASSERT_TRUE(saveCalibration(rig, file));
   made = importCalibration(project_, {file, {}}); // not an error
   ASSERT_TRUE(made) << errorSentence(made.error());
-  ASSERT_EQ(made->faults.size(), 1U);
-  EXPECT_EQ(made->faults.front().fault, CameraFault::SamePose);
-  EXPECT_EQ(made->faults.front().cameras, (std::vector<std::size_t>{0, 1}));
+  ASSERT_EQ(made->likelyMistakes.size(), 1U);
+  EXPECT_EQ(made->likelyMistakes.front().fault, CameraFault::SamePose);
+  EXPECT_EQ(made->likelyMistakes.front().cameras, (std::vector<std::size_t>{0, 1}));
 }
 
 TEST_F(CalibrationExchange, AFileOfOneCameraIsForTheOneThatIsNamed) {

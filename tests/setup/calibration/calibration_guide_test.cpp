@@ -35,20 +35,20 @@ TEST(CalibrationGuide, LeadsFromNothingToDone) {
   EXPECT_EQ(next(), GuideStep::PrintBoard);
   for (ProjectCamera& camera : project.cameras) {
     camera.camera.intrinsics.focalX += 20.0;
-    camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Board, 0.4);
+    camera.calibrationRecord.lens = recordOfLens(camera.camera, CalibrationOrigin::Board, 0.4);
   }
   EXPECT_EQ(next(), GuideStep::BoardInVolume);
-  project.cameras[0].calibrated.pose =
+  project.cameras[0].calibrationRecord.pose =
       recordOfPose(project.cameras[0].camera, CalibrationOrigin::Board, 0.001);
   EXPECT_EQ(next(), GuideStep::BoardInVolume); // one of two
   EXPECT_EQ(progressOf(next(), project, calibrationStatus(project)), (StepProgress{1, 2, 0.001}));
-  project.cameras[1].calibrated.pose =
+  project.cameras[1].calibrationRecord.pose =
       recordOfPose(project.cameras[1].camera, CalibrationOrigin::Board, 0.002);
-  project.calibrated.scale = CalibrationOrigin::Board;
+  project.worldRecord.scaleOrigin = CalibrationOrigin::Board;
   EXPECT_EQ(next(), GuideStep::Floor);
-  project.calibrated.floor = CalibrationOrigin::Marks;
+  project.worldRecord.floorOrigin = CalibrationOrigin::Marks;
   EXPECT_EQ(next(), GuideStep::MeasuredLength);
-  project.calibrated.check = LengthCheck{2.0, 2.01};
+  project.worldRecord.lengthCheck = LengthCheck{2.0, 2.01};
   const StepProgress length =
       progressOf(GuideStep::MeasuredLength, project, calibrationStatus(project));
   EXPECT_TRUE(length.isDone());
@@ -65,7 +65,7 @@ TEST(CalibrationGuide, ClicksCountPerCamera) {
     if (k > 0) {
       point.clicks.push_back({1, {30.0, 20.0}});
     }
-    project.points.push_back(point);
+    project.measuredPoints.push_back(point);
   }
   const CalibrationStatus status = calibrationStatus(project);
   EXPECT_EQ(progressOf(GuideStep::MeasurePoints, project, status), (StepProgress{1, 2, {}}));

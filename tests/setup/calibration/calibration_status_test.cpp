@@ -24,14 +24,14 @@ Project recordedProject() {
 Project boardProject() {
   Project project = recordedProject();
   for (ProjectCamera& camera : project.cameras) {
-    camera.calibrated = {recordOfLens(camera.camera, CalibrationOrigin::Board, 0.4),
-                         recordOfPose(camera.camera, CalibrationOrigin::Board, 0.002)};
+    camera.calibrationRecord = {recordOfLens(camera.camera, CalibrationOrigin::Board, 0.4),
+                                recordOfPose(camera.camera, CalibrationOrigin::Board, 0.002)};
   }
-  project.calibrated.scale = CalibrationOrigin::Board;
-  project.calibrated.scaleError = 0.001;
-  project.calibrated.floor = CalibrationOrigin::Board;
-  project.calibrated.accuracy = 0.003;
-  project.calibrated.errorOutsideVolume = 0.009;
+  project.worldRecord.scaleOrigin = CalibrationOrigin::Board;
+  project.worldRecord.scaleError = 0.001;
+  project.worldRecord.floorOrigin = CalibrationOrigin::Board;
+  project.worldRecord.errorInsideVolume = 0.003;
+  project.worldRecord.errorOutsideVolume = 0.009;
   return project;
 }
 
@@ -53,28 +53,32 @@ TEST(CalibrationStatus, GuessedCamerasAreMissing) {
 
 TEST(CalibrationStatus, SimulatedCamerasAreExact) {
   const CalibrationStatus status = calibrationStatus(test::twoCameraProject());
-  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Measured), 2U);
+  EXPECT_EQ(countKnownCameras(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Measured),
+            2U);
   EXPECT_EQ(status.scale.knowledge, KnowledgeLevel::Measured);
   EXPECT_FALSE(status.scale.origin);
 }
 
 TEST(CalibrationStatus, NumbersWithoutARecordAreGiven) {
   const CalibrationStatus status = calibrationStatus(recordedProject());
-  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Given), 2U);
-  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Measured), 0U);
+  EXPECT_EQ(countKnownCameras(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Given), 2U);
+  EXPECT_EQ(countKnownCameras(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Measured),
+            0U);
   EXPECT_EQ(status.scale.knowledge, KnowledgeLevel::Given);
-  EXPECT_FALSE(status.accuracy);
+  EXPECT_FALSE(status.errorInVolume);
 }
 
 TEST(CalibrationStatus, MeasuredCamerasHaveAnAccuracy) {
   const CalibrationStatus status = calibrationStatus(boardProject());
-  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::lens, KnowledgeLevel::Measured), 2U);
-  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Measured), 2U);
+  EXPECT_EQ(countKnownCameras(status, &CameraCalibrationStatus::lens, KnowledgeLevel::Measured),
+            2U);
+  EXPECT_EQ(countKnownCameras(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Measured),
+            2U);
   EXPECT_EQ(worstError(status, &CameraCalibrationStatus::lens), 0.4);
   EXPECT_EQ(status.scale.knowledge, KnowledgeLevel::Measured);
   EXPECT_EQ(status.scale.error, 0.001);
   EXPECT_EQ(status.floor.origin, CalibrationOrigin::Board);
-  EXPECT_EQ(status.accuracy, 0.003);
+  EXPECT_EQ(status.errorInVolume, 0.003);
   EXPECT_EQ(status.errorOutsideVolume, 0.009);
 }
 
@@ -87,17 +91,18 @@ TEST(CalibrationStatus, ACameraMovedByHandIsNoLongerMeasured) {
   EXPECT_EQ(status.cameras[0].pose.knowledge, KnowledgeLevel::Measured);
   EXPECT_EQ(status.cameras[1].pose.knowledge, KnowledgeLevel::Given);
   EXPECT_EQ(status.cameras[1].lens.knowledge, KnowledgeLevel::Measured);
-  EXPECT_FALSE(status.accuracy); // it was that of both
+  EXPECT_FALSE(status.errorInVolume); // it was that of both
   EXPECT_FALSE(status.errorOutsideVolume);
 }
 
 TEST(CalibrationStatus, APoorLensIsNotDone) {
   Project project = boardProject();
-  project.cameras[0].calibrated.lens->error = 62.0;
+  project.cameras[0].calibrationRecord.lens->error = 62.0;
   const CalibrationStatus status = calibrationStatus(project);
   EXPECT_TRUE(status.cameras[0].lens.isPoor);
   EXPECT_FALSE(status.cameras[1].lens.isPoor);
-  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::lens, KnowledgeLevel::Measured), 1U);
+  EXPECT_EQ(countKnownCameras(status, &CameraCalibrationStatus::lens, KnowledgeLevel::Measured),
+            1U);
 }
 
 TEST(CalibrationStatus, ALensAloneLeavesThePositionAGuess) {
@@ -105,7 +110,7 @@ TEST(CalibrationStatus, ALensAloneLeavesThePositionAGuess) {
   const Intrinsics image = project.cameras[0].camera.intrinsics;
   guessCalibration(project, 0, {image.width, image.height});
   project.cameras[0].camera.intrinsics.focalX += 20.0;
-  project.cameras[0].calibrated.lens =
+  project.cameras[0].calibrationRecord.lens =
       recordOfLens(project.cameras[0].camera, CalibrationOrigin::Board, 0.4);
   const CalibrationStatus status = calibrationStatus(project);
   EXPECT_EQ(status.cameras[0].lens.knowledge, KnowledgeLevel::Measured);
@@ -115,9 +120,10 @@ TEST(CalibrationStatus, ALensAloneLeavesThePositionAGuess) {
 TEST(CalibrationStatus, AMoveOfAllCamerasKeepsWhatIsKnown) {
   const Similarity change{2.0, geometry::rotationFromVector({0.0, 0.0, 0.8}), {0.3, 0.2, 0.1}};
   const CalibrationStatus status = calibrationStatus(withMovedWorld(boardProject(), change));
-  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Measured), 2U);
+  EXPECT_EQ(countKnownCameras(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Measured),
+            2U);
   EXPECT_NEAR(*worstError(status, &CameraCalibrationStatus::pose), 0.004, 1e-12);
-  EXPECT_NEAR(*status.accuracy, 0.006, 1e-12);
+  EXPECT_NEAR(*status.errorInVolume, 0.006, 1e-12);
   EXPECT_NEAR(*status.errorOutsideVolume, 0.018, 1e-12);
 }
 

@@ -40,7 +40,7 @@ TEST_F(FloorFromBoardTest, TheBoardLiesOnTheFloorAfterwards) {
   ASSERT_TRUE(found) << found.error().detail;
   EXPECT_EQ(found->cameraCount, 2U);
   EXPECT_LT(found->rmsPx, 0.5);
-  EXPECT_EQ(found->project.calibrated.floor, CalibrationOrigin::Board);
+  EXPECT_EQ(found->project.worldRecord.floorOrigin, CalibrationOrigin::Board);
   for (const ProjectCamera& camera : found->project.cameras) {
     EXPECT_NEAR(camera.camera.center().z(), 0.45, 0.005); // above the floor, and as far as it was
     EXPECT_LT(camera.camera.opticalAxis().z(), -0.99);    // looks down

@@ -35,10 +35,10 @@ TEST(MirroredVideos, SidesAreCountedInImages) {
   cv::flip(images[0], flipped, 1);
   images[0] = flipped;
   images.emplace_back(360, 480, CV_8UC1, cv::Scalar(90));
-  const BoardSides sides = countSides(board, images);
-  EXPECT_EQ(sides.plainCount, 2);
+  const MirroringCounts sides = countMirroredImages(board, images);
+  EXPECT_EQ(sides.unmirroredCount, 2);
   EXPECT_EQ(sides.mirroredCount, 1);
-  EXPECT_EQ(countSides(boardOf("chessboard:6x4:0.03"), images).mirroredCount, 0);
+  EXPECT_EQ(countMirroredImages(boardOf("chessboard:6x4:0.03"), images).mirroredCount, 0);
 }
 
 TEST(MirroredVideos, TheSentenceNamesTheCamera) {
@@ -57,11 +57,11 @@ TEST(MirroredVideos, TheProjectMirrorsTheirImages) {
     camera.camera = testCamera();
     camera.source = SourceKind::Video;
   }
-  project.cameras[1].mirrored = true; // mirrored by mistake: so it is undone
+  project.cameras[1].isMirrored = true; // mirrored by mistake: so it is undone
   const Project mended = withUnmirroredVideos(project, {Cause::Videos, {1}});
-  EXPECT_FALSE(mended.cameras[1].mirrored);
+  EXPECT_FALSE(mended.cameras[1].isMirrored);
   EXPECT_EQ(mended.cameras[0], project.cameras[0]);
-  EXPECT_TRUE(withUnmirroredVideos(project, {Cause::Videos, {0}}).cameras[0].mirrored);
+  EXPECT_TRUE(withUnmirroredVideos(project, {Cause::Videos, {0}}).cameras[0].isMirrored);
 }
 
 } // namespace

@@ -14,7 +14,7 @@ namespace {
 BoardDetections::PerCamera searchedCamera(const std::vector<std::int64_t>& seen,
                                           const std::vector<std::int64_t>& missed) {
   BoardDetections::PerCamera camera;
-  camera.searchedImages = static_cast<int>(seen.size() + missed.size());
+  camera.searchedImageCount = static_cast<int>(seen.size() + missed.size());
   for (const std::int64_t frame : seen) {
     camera.views.push_back({"", frame, {}});
   }
@@ -25,13 +25,13 @@ BoardDetections::PerCamera searchedCamera(const std::vector<std::int64_t>& seen,
 }
 
 TEST(MissedImages, FramesThatFollowEachOtherAreOneRun) {
-  EXPECT_EQ(missedText(searchedCamera({0, 5}, {})), "");
-  EXPECT_EQ(missedText(searchedCamera({0, 5}, {10})), "no board was found in frame 10");
-  EXPECT_EQ(missedText(searchedCamera({15, 25}, {0, 5, 10, 20})),
+  EXPECT_EQ(missedImagesText(searchedCamera({0, 5}, {})), "");
+  EXPECT_EQ(missedImagesText(searchedCamera({0, 5}, {10})), "no board was found in frame 10");
+  EXPECT_EQ(missedImagesText(searchedCamera({15, 25}, {0, 5, 10, 20})),
             "no board was found in frames 0-10, 20");
   auto camera = searchedCamera({}, {0, 5, 10});
-  camera.missedImages[1].miss = {BoardMiss::Reason::TooFewCorners, 3, 0.0, 0.0};
-  EXPECT_EQ(missedText(camera), "no board was found in frames 0, 5 (too few corners: 3), 10");
+  camera.missedImages[1].missReason = {BoardMiss::Reason::TooFewCorners, 3, 0.0, 0.0};
+  EXPECT_EQ(missedImagesText(camera), "no board was found in frames 0, 5 (too few corners: 3), 10");
 }
 
 TEST(MissedImages, ALongListIsCut) {
@@ -41,7 +41,7 @@ TEST(MissedImages, ALongListIsCut) {
     missed.push_back(2 * frame);
     seen.push_back(2 * frame + 1);
   }
-  EXPECT_EQ(missedText(searchedCamera(seen, missed)),
+  EXPECT_EQ(missedImagesText(searchedCamera(seen, missed)),
             "no board was found in frames 0, 2, 4, 6, 8, 10, 12, 14 and in 4 others");
 }
 
@@ -65,7 +65,7 @@ TEST(MissedImages, EachPictureWithoutABoardIsNamed) {
   }
   const auto seen = findBoards(files, board, DetectionEffort::Sample);
   ASSERT_TRUE(seen) << errorSentence(seen.error());
-  const std::string text = missedText(seen->cameras[0]);
+  const std::string text = missedImagesText(seen->cameras[0]);
   EXPECT_NE(text.find("no board was found in picture2.png, picture5.png (blurred"),
             std::string::npos)
       << text;
@@ -84,7 +84,7 @@ TEST(MissedImages, ACameraThatSawNothingHasTheReasons) {
   BoardDetections seen;
   auto& camera = seen.cameras.emplace_back();
   camera.name = "camera";
-  camera.searchedImages = 1;
+  camera.searchedImageCount = 1;
   camera.missedImages.push_back({"a.png", 0, {BoardMiss::Reason::TooSmall, 0, 0.0, 6.2}});
   BoardCalibrationRequest request;
   request.board = boardOf("chessboard:9x6:0.025");

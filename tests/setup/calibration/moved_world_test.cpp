@@ -25,14 +25,14 @@ TEST(MovedWorld, TheImagesShowTheSamePoints) {
     const auto moved = Projector(after.cameras[k].camera).project(change() * point);
     ASSERT_TRUE(seen && moved);
     EXPECT_LT((*seen - *moved).norm(), 1e-9);
-    EXPECT_TRUE(after.cameras[k].adjusted);
+    EXPECT_TRUE(after.cameras[k].hasOwnCalibration);
   }
 }
 
 TEST(MovedWorld, WhatHasWorldCoordinatesFollows) {
   Project project = test::twoCameraProject();
   project.grid = ReferenceGrid{GridKind::Floor, {4.0, 2.0, 1.0}, 0.5, {1.0, 2.0, 0.0}, 0.1};
-  project.points = {{"nail", {1.0, 0.0, 0.5}, {}}};
+  project.measuredPoints = {{"nail", {1.0, 0.0, 0.5}, {}}};
   project.volumeOfInterest = WorldBox{{0.0, 0.0, 0.0}, {2.0, 1.0, 3.0}};
   PositionCorrection correction;
   correction.position = {1.0, 1.0, 0.0};
@@ -40,20 +40,20 @@ TEST(MovedWorld, WhatHasWorldCoordinatesFollows) {
   project.corrections = {correction};
   PersonCorrection person;
   person.position = {2.0, 0.0};
-  project.people = {person};
+  project.personCorrections = {person};
 
   const Project moved = withMovedWorld(project, change());
   EXPECT_LT((moved.grid->origin - Eigen::Vector3d(0.0, 0.5, 0.25)).norm(), 1e-12);
-  EXPECT_NEAR(moved.grid->turn, 0.1 + std::numbers::pi / 2.0, 1e-12);
+  EXPECT_NEAR(moved.grid->rotationAngle, 0.1 + std::numbers::pi / 2.0, 1e-12);
   EXPECT_LT((moved.grid->size - Eigen::Vector3d(2.0, 1.0, 0.5)).norm(), 1e-12);
   EXPECT_DOUBLE_EQ(moved.grid->step, 0.25);
-  EXPECT_LT((moved.points[0].world - Eigen::Vector3d(1.0, 0.5, 0.5)).norm(), 1e-12);
+  EXPECT_LT((moved.measuredPoints[0].world - Eigen::Vector3d(1.0, 0.5, 0.5)).norm(), 1e-12);
   EXPECT_LT((moved.volumeOfInterest->min - Eigen::Vector3d(0.5, 0.0, 0.25)).norm(), 1e-12);
   EXPECT_LT((moved.volumeOfInterest->max - Eigen::Vector3d(1.0, 1.0, 1.75)).norm(), 1e-12);
   EXPECT_LT((moved.corrections[0].position - Eigen::Vector3d(0.5, 0.5, 0.25)).norm(), 1e-12);
   const Eigen::Matrix3d covariance = Eigen::Vector3d(0.25, 1.0, 2.25).asDiagonal();
   EXPECT_LT((moved.corrections[0].covariance - covariance).norm(), 1e-12);
-  EXPECT_LT((*moved.people[0].position - Eigen::Vector2d(1.0, 1.0)).norm(), 1e-12);
+  EXPECT_LT((*moved.personCorrections[0].position - Eigen::Vector2d(1.0, 1.0)).norm(), 1e-12);
   EXPECT_EQ(moved.targets, project.targets); // radii were measured with a ruler
 }
 

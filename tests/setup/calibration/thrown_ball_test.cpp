@@ -79,7 +79,7 @@ Project goodProject(const CameraRig& truth, std::uint32_t seed, CalibrationOrigi
   for (const Camera& camera : simulated::moved(truth, 0.001, 0.0005, seed)) {
     ProjectCamera& one = project.cameras.emplace_back();
     one.camera = camera;
-    one.calibrated.pose = recordOfPose(camera, origin, error);
+    one.calibrationRecord.pose = recordOfPose(camera, origin, error);
   }
   Target ball;
   ball.name = "ball";
@@ -110,10 +110,10 @@ TEST(ThrownBall, HalfHiddenByHandsMakesNothingWorse) {
     ASSERT_TRUE(refinement) << errorSentence(refinement.error());
     EXPECT_GT(worstPosition(refinement->result.cameras, truth),
               3.0 * worstPosition(refinement->camerasBefore, truth)); // so it must not be applied
-    EXPECT_TRUE(isUnnecessary(*refinement) || isKnownBetter(*refinement));
+    EXPECT_TRUE(isUnnecessary(*refinement) || areOldCamerasMoreAccurate(*refinement));
     EXPECT_TRUE(isDoubtful(*refinement));
     ASSERT_FALSE(refinement->gaps.empty());
-    EXPECT_EQ(refinement->gaps[0].missing, MissingMotion::OffThePlane)
+    EXPECT_EQ(refinement->gaps[0].missingMotion, MissingMotion::OffThePlane)
         << motionGapText(refinement->gaps[0], truth);
   }
 }
@@ -125,11 +125,11 @@ TEST(ThrownBall, AMovedCameraIsStillCorrected) {
   Project project = goodProject(truth, seed, CalibrationOrigin::Board, 0.0015);
   ProjectCamera& moved = project.cameras[1];
   moved.camera = simulated::moved(truth, 0.03, 0.03, seed + 10)[1];
-  moved.calibrated.pose = recordOfPose(moved.camera, CalibrationOrigin::Board, 0.0015);
+  moved.calibrationRecord.pose = recordOfPose(moved.camera, CalibrationOrigin::Board, 0.0015);
   const auto refinement = refineFromViews(project, thrown(truth, seed, 5.0), {});
   ASSERT_TRUE(refinement) << errorSentence(refinement.error());
   EXPECT_FALSE(isUnnecessary(*refinement));
-  EXPECT_FALSE(isKnownBetter(*refinement));
+  EXPECT_FALSE(areOldCamerasMoreAccurate(*refinement));
 }
 
 /// A wave through the volume is better than what was known, and is used.
@@ -144,7 +144,7 @@ TEST(ThrownBall, AGoodWaveIsNotHeldBack) {
   const auto refinement = refineFromViews(project, views, {});
   ASSERT_TRUE(refinement) << errorSentence(refinement.error());
   EXPECT_TRUE(refinement->gaps.empty());
-  EXPECT_FALSE(isKnownBetter(*refinement));
+  EXPECT_FALSE(areOldCamerasMoreAccurate(*refinement));
   EXPECT_LT(worstPosition(refinement->result.cameras, truth), 0.002);
 }
 

@@ -16,7 +16,7 @@ using test::FakeRecording;
 using test::inputs;
 
 std::vector<ColorClassifier> pink() {
-  return wandColors(test::twoCameraProject(), WandOptions()).value();
+  return wandColorClassifiers(test::twoCameraProject(), WandOptions()).value();
 }
 
 TEST(WandCollector, SeesWhatLookingThroughTheRecordingSees) {
@@ -27,7 +27,7 @@ TEST(WandCollector, SeesWhatLookingThroughTheRecordingSees) {
     expected.add(*frames);
     collector.offer(frames);
   }
-  ASSERT_TRUE(eventually([&] { return collector.state().searchedFrameSets == 12; }));
+  ASSERT_TRUE(eventually([&] { return collector.state().searchedFrameSetCount == 12; }));
   const auto views = collector.views();
   ASSERT_EQ(views[1].size(), 12U); // one still disc in each of the recording's frames
   for (std::size_t k = 0; k < views[1].size(); ++k) {
@@ -35,12 +35,12 @@ TEST(WandCollector, SeesWhatLookingThroughTheRecordingSees) {
     EXPECT_EQ(views[1][k].time, expected.views()[1][k].time);
   }
   const auto state = collector.state();
-  EXPECT_EQ(state.droppedFrameSets, 0);
-  EXPECT_NEAR(state.seconds, 11.0 / 30.0, 1e-6); // of twelve frames at 30 per second
-  EXPECT_EQ(state.cameras[0].count, 12U);
+  EXPECT_EQ(state.droppedFrameSetCount, 0);
+  EXPECT_NEAR(state.durationSeconds, 11.0 / 30.0, 1e-6); // of twelve frames at 30 per second
+  EXPECT_EQ(state.cameras[0].detectionCount, 12U);
   // The disc is in the middle of the image, whose regions are 6 x 4: region (3, 2), or the one
   // beside it; all twelve in the same.
-  EXPECT_EQ(*std::ranges::max_element(state.cameras[0].coverage.cornerCounts), 12);
+  EXPECT_EQ(*std::ranges::max_element(state.cameras[0].imageCoverage.cornerCounts), 12);
   EXPECT_FALSE(hasEnoughDetections(state.cameras[0]));
 }
 
@@ -54,8 +54,8 @@ TEST(WandCollector, DropsAndCountsWhatItCannotHold) {
     collector.offer(set);
   }
   const auto state = collector.state();
-  EXPECT_GT(state.droppedFrameSets, 0);
-  EXPECT_LE(state.waitingFrameSets,
+  EXPECT_GT(state.droppedFrameSetCount, 0);
+  EXPECT_LE(state.waitingFrameSetCount,
             static_cast<std::int64_t>(WandCollector::kMaxWaitingFrameSets) +
                 1); // and the one looked at
 }

@@ -11,10 +11,10 @@ namespace dewpoint::tests {
 namespace {
 
 /// Cameras that were said to be off by 0.12 m at most, and are known to so many meters now.
-WandRefinement refinedTo(double cameraPart95) {
+WandRefinement refinedTo(double positionErrorFromCameras95) {
   WandRefinement refinement;
   refinement.options.initialPositionError = 0.12;
-  refinement.accuracy->cameraPart95 = cameraPart95;
+  refinement.accuracy->positionErrorFromCameras95 = positionErrorFromCameras95;
   return refinement;
 }
 
@@ -51,7 +51,7 @@ TEST(WandRefinement, WhatTheFormerCamerasExplainAsWellIsNotNeeded) {
   refinement.beforePx = 0.35;
   EXPECT_TRUE(isUnnecessary(refinement));
   EXPECT_TRUE(isDoubtful(refinement));
-  EXPECT_NE(unnecessaryText(refinement).find("0.35 px"), std::string::npos);
+  EXPECT_NE(unnecessaryRefinementText(refinement).find("0.35 px"), std::string::npos);
 }
 
 /// A refinement of calibrated cameras, whose new positions are known to 6 mm.
@@ -67,34 +67,36 @@ WandRefinement ofCalibratedCameras() {
 
 TEST(WandRefinement, CamerasThatWereKnownBetterAreKept) {
   WandRefinement refinement = ofCalibratedCameras();
-  EXPECT_FALSE(isKnownBetter(refinement)); // their error is not recorded, and no motion is missing
+  EXPECT_FALSE(areOldCamerasMoreAccurate(
+      refinement)); // their error is not recorded, and no motion is missing
   refinement.beforeError = 0.0015;
-  EXPECT_TRUE(isKnownBetter(refinement));
+  EXPECT_TRUE(areOldCamerasMoreAccurate(refinement));
   EXPECT_TRUE(isDoubtful(refinement));
   EXPECT_FALSE(isUnnecessary(refinement));
-  EXPECT_EQ(knownBetterText(refinement),
+  EXPECT_EQ(oldCamerasMoreAccurateText(refinement),
             "the old camera positions are known more accurately (+-1.5 mm) than the new ones (+-6 "
             "mm): keep the old ones");
   refinement.beforeError = 0.02;
-  EXPECT_FALSE(isKnownBetter(refinement));
+  EXPECT_FALSE(areOldCamerasMoreAccurate(refinement));
   refinement.beforeError.reset();
-  refinement.gaps = {{.missing = MissingMotion::OffThePlane, .cameras = {0}, .severity = 0.8}};
-  EXPECT_TRUE(isKnownBetter(refinement));
+  refinement.gaps = {
+      {.missingMotion = MissingMotion::OffThePlane, .cameras = {0}, .severity = 0.8}};
+  EXPECT_TRUE(areOldCamerasMoreAccurate(refinement));
   refinement.gaps[0].severity = 0.2;
-  EXPECT_FALSE(isKnownBetter(refinement));
+  EXPECT_FALSE(areOldCamerasMoreAccurate(refinement));
 }
 
 TEST(WandRefinement, CamerasThatTheImagesContradictAreReplaced) {
   WandRefinement refinement = ofCalibratedCameras();
   refinement.beforeError = 0.0015;
   refinement.beforePx = 4.0; // one was moved after its calibration
-  EXPECT_FALSE(isKnownBetter(refinement));
+  EXPECT_FALSE(areOldCamerasMoreAccurate(refinement));
   refinement.beforePx.reset(); // not compared
-  EXPECT_FALSE(isKnownBetter(refinement));
+  EXPECT_FALSE(areOldCamerasMoreAccurate(refinement));
   refinement = ofCalibratedCameras();
   refinement.beforeError = 0.0015;
   refinement.wasCalibratedBefore = false; // placed by hand
-  EXPECT_FALSE(isKnownBetter(refinement));
+  EXPECT_FALSE(areOldCamerasMoreAccurate(refinement));
 }
 
 /// Cameras that the refinement rotates about x by these angles, degrees.

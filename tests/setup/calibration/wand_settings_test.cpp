@@ -69,8 +69,8 @@ TEST(WandSettings, ADistanceAndAFallNeedBothMoments) {
 TEST(WandSettings, OptionsSayWhatWasDecided) {
   WandSettings wish;
   wish.scaleSource = WandScaleSource::Distance;
-  wish.distance = 1.5;
-  wish.estimateTimeOffsets = true;
+  wish.touchedDistance = 1.5;
+  wish.estimatesTimeOffsets = true;
   wish.initialPositionError = 0.3;
   wish.usesOnlySelectedFrames = true;
   const std::vector<MarkedInstant> instants{
@@ -78,13 +78,13 @@ TEST(WandSettings, OptionsSayWhatWasDecided) {
       at(4.0, WandEvent::Floor), at(5.0, WandEvent::FallBegins),   at(5.5, WandEvent::FallEnds)};
   const WandOptions options = toWandOptions(wish, instants, withBalls(1), FrameSpan{10, 99});
   EXPECT_EQ(options.targets, std::vector<std::string>{"a"});
-  ASSERT_TRUE(options.distance);
-  EXPECT_EQ(options.distance->meters, 1.5);
+  ASSERT_TRUE(options.touchedDistance);
+  EXPECT_EQ(options.touchedDistance->meters, 1.5);
   EXPECT_EQ(options.floorTimes, (std::vector<double>{1.0, 4.0}));
-  ASSERT_TRUE(options.fallSpan);
-  EXPECT_EQ((*options.fallSpan)[1], 5.5);
-  EXPECT_TRUE(options.estimateTimeOffsets);
-  EXPECT_FALSE(options.estimateFocalLengths);
+  ASSERT_TRUE(options.freeFallSpan);
+  EXPECT_EQ((*options.freeFallSpan)[1], 5.5);
+  EXPECT_TRUE(options.estimatesTimeOffsets);
+  EXPECT_FALSE(options.estimatesFocalLengths);
   EXPECT_EQ(options.initialPositionError, 0.3);
   EXPECT_EQ(options.firstFrame, 10);
   EXPECT_EQ(options.endFrame, 100); // one past the last
@@ -111,9 +111,9 @@ TEST(WandSettings, OnlyTheFloorIsTouchedOften) {
   addInstant(instants, at(3.0, WandEvent::FallBegins));
   addInstant(instants, at(4.0, WandEvent::FallBegins)); // in place of the one before
   ASSERT_EQ(instants.size(), 3U);
-  EXPECT_EQ(instants[0].seconds, 2.0);
+  EXPECT_EQ(instants[0].recordingTime, 2.0);
   EXPECT_EQ(instants[1], at(4.0, WandEvent::FallBegins));
-  EXPECT_EQ(instants[2].seconds, 5.0);
+  EXPECT_EQ(instants[2].recordingTime, 5.0);
 }
 
 } // namespace

@@ -22,7 +22,7 @@ TEST(WandViews, CollectsBothBallsPerCameraWithTheirTimes) {
   WandOptions options;
   options.targets = {"red", "blue"};
   options.stickLength = 0.5;
-  const auto colors = wandColors(project, options);
+  const auto colors = wandColorClassifiers(project, options);
   ASSERT_TRUE(colors);
   WandViews views(2, *colors);
   cv::Mat image(120, 160, CV_8UC3, cv::Scalar(120, 120, 120));
@@ -45,21 +45,21 @@ TEST(WandViews, TheOptionsMakeTheProblem) {
   WandOptions options;
   options.targets = {"red", "blue"};
   options.stickLength = 0.5;
-  const auto problem = wandProblem(project, options);
+  const auto problem = makeWandProblem(project, options);
   ASSERT_TRUE(problem);
-  EXPECT_EQ(problem->scale, WandScale::Stick);
+  EXPECT_EQ(problem->scaleMethod, WandScale::Stick);
   EXPECT_EQ(problem->ballRadii[1], 0.05);
   EXPECT_EQ(problem->initialRig.size(), 2U);
 
   options.targets = {"red"}; // a stick has two balls
-  EXPECT_EQ(wandProblem(project, options).error().field, "target");
+  EXPECT_EQ(makeWandProblem(project, options).error().field, "target");
   options.stickLength = 0.0;
   options.usesBallDiameter = true;
-  EXPECT_EQ(wandProblem(project, options)->scale, WandScale::Diameter);
+  EXPECT_EQ(makeWandProblem(project, options)->scaleMethod, WandScale::Diameter);
   options.targets = {"green"};
-  EXPECT_EQ(wandProblem(project, options).error().code, ErrorCode::NotFound);
+  EXPECT_EQ(makeWandProblem(project, options).error().code, ErrorCode::NotFound);
   options.targets = {}; // which of the two?
-  EXPECT_EQ(wandProblem(project, options).error().code, ErrorCode::MissingKey);
+  EXPECT_EQ(makeWandProblem(project, options).error().code, ErrorCode::MissingKey);
 }
 
 } // namespace

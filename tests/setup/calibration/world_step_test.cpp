@@ -63,23 +63,23 @@ TEST(WorldStep, OriginLevelAndAxisTakeTheirPoints) {
   const auto b = clicked(project, "b", {0.02, 0.1, 0.11});
   const auto origin = withWorldStep(project, WorldStep::Origin, {a});
   ASSERT_TRUE(origin);
-  EXPECT_LT(pointInRoom(rigOf(origin->project), a)->mean.norm(), 1e-6);
+  EXPECT_LT(triangulatePoint(rigOf(origin->project), a)->mean.norm(), 1e-6);
   const auto level = withWorldStep(project, WorldStep::Level, {a, b});
   ASSERT_TRUE(level);
   EXPECT_NEAR(level->rotationAngle, std::atan(0.1), 1e-6);
   const auto axis = withWorldStep(project, WorldStep::XAxis, {a, b});
   ASSERT_TRUE(axis);
   const CameraRig rig = rigOf(axis->project);
-  EXPECT_NEAR((pointInRoom(rig, b)->mean - pointInRoom(rig, a)->mean).y(), 0.0, 1e-6);
+  EXPECT_NEAR((triangulatePoint(rig, b)->mean - triangulatePoint(rig, a)->mean).y(), 0.0, 1e-6);
 }
 
 TEST(WorldStep, UprightSaysWhenThereIsNothingToDo) {
   const Project project = test::twoCameraProject();
-  EXPECT_FALSE(canTurnUpright(project));
+  EXPECT_FALSE(canRotateUpright(project));
   EXPECT_EQ(withWorldStep(project, WorldStep::Upright, {}).error().field, "cameras");
   const Project under =
       withMovedWorld(project, calibration::quarterTurns(calibration::WorldAxis::X, 2));
-  EXPECT_TRUE(canTurnUpright(under));
+  EXPECT_TRUE(canRotateUpright(under));
   const auto step = withWorldStep(under, WorldStep::Upright, {});
   ASSERT_TRUE(step);
   EXPECT_NEAR(step->project.cameras[0].camera.center().z(), 0.1, 1e-12);

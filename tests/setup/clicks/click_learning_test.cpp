@@ -37,7 +37,7 @@ TEST(ClickLearningResult, TakesInWhatTheOtherCameraShows) {
   ASSERT_TRUE(now);
   ASSERT_EQ(now->samples.size(), 2U);
   EXPECT_EQ(now->samples[0], click);
-  EXPECT_TRUE(now->samples[1].found);
+  EXPECT_TRUE(now->samples[1].isFoundByGeometry);
   EXPECT_EQ(now->samples[1].frame, 7);
   EXPECT_EQ(now->outlines.size(), 1U);
   EXPECT_TRUE(matches(now->color.range, kRed));
@@ -120,7 +120,7 @@ TEST(ClickLearningResult, ExcludesWhatWasFoundAndTakenAway) {
   ASSERT_TRUE(lesson);
   const auto without = setup::withoutSample(lesson->samples, 1);
   ASSERT_EQ(without.size(), 2U);
-  EXPECT_TRUE(without[1].excluded && !without[1].found);
+  EXPECT_TRUE(without[1].isExcluded && !without[1].isFoundByGeometry);
   EXPECT_TRUE(setup::hasClickedSample(without));
   const auto again = learnFromClicks(scene.rig, {scene.images, {}, 0}, without);
   ASSERT_TRUE(again);

@@ -28,7 +28,7 @@ const std::optional<Gaussian3> kEstimate =
     Gaussian3{{0.1, 0.0, 2.5}, 1e-4 * Eigen::Matrix3d::Identity()};
 
 TEST(ClickedCorrection, OfOneImageKeepsTheDepthOfTheEstimate) {
-  const auto made = clickedCorrection({}, pair(), 7, 2, clickSeenBy(0, kThere), kEstimate);
+  const auto made = correctionFromClick({}, pair(), 7, 2, clickSeenBy(0, kThere), kEstimate);
   ASSERT_TRUE(made);
   EXPECT_EQ(made->frame, 7);
   EXPECT_EQ(made->target, 2);
@@ -40,11 +40,11 @@ TEST(ClickedCorrection, OfOneImageKeepsTheDepthOfTheEstimate) {
 
 TEST(ClickedCorrection, OfASecondImageIsWhereTheRaysMeet) {
   Project project;
-  const auto first = clickedCorrection(project, pair(), 7, 0, clickSeenBy(0, kThere), kEstimate);
+  const auto first = correctionFromClick(project, pair(), 7, 0, clickSeenBy(0, kThere), kEstimate);
   ASSERT_TRUE(first);
   EXPECT_GT((first->position - kThere).norm(), 0.1); // its depth was not known
   addCorrection(project, *first);
-  const auto second = clickedCorrection(project, pair(), 7, 0, clickSeenBy(1, kThere), kEstimate);
+  const auto second = correctionFromClick(project, pair(), 7, 0, clickSeenBy(1, kThere), kEstimate);
   ASSERT_TRUE(second);
   EXPECT_EQ(second->clicks.size(), 2U);
   EXPECT_LT((second->position - kThere).norm(), 1e-9);
@@ -56,7 +56,7 @@ TEST(ClickedCorrection, ReplacesTheClickOfItsCamera) {
   const Eigen::Vector3d wrong(0.2, -0.2, 1.6);
   for (const PointClick& click :
        {clickSeenBy(0, wrong), clickSeenBy(1, kThere), clickSeenBy(0, kThere)}) {
-    const auto made = clickedCorrection(project, pair(), 7, 0, click, std::nullopt);
+    const auto made = correctionFromClick(project, pair(), 7, 0, click, std::nullopt);
     ASSERT_TRUE(made) << made.error().detail;
     addCorrection(project, *made);
   }
@@ -69,23 +69,23 @@ TEST(ClickedCorrection, ReplacesTheClickOfItsCamera) {
 TEST(ClickedCorrection, KnowsNothingOfOtherFramesAndTargets) {
   Project project;
   addCorrection(project,
-                *clickedCorrection(project, pair(), 7, 0, clickSeenBy(0, kThere), kEstimate));
+                *correctionFromClick(project, pair(), 7, 0, clickSeenBy(0, kThere), kEstimate));
   EXPECT_NE(correctionAt(project, 7, 0), nullptr);
   EXPECT_EQ(correctionAt(project, 8, 0), nullptr);
   EXPECT_EQ(correctionAt(project, 7, 1), nullptr);
   for (const auto& [frame, target] : {std::pair(8, 0), std::pair(7, 1)}) {
     const auto made =
-        clickedCorrection(project, pair(), frame, target, clickSeenBy(1, kThere), kEstimate);
+        correctionFromClick(project, pair(), frame, target, clickSeenBy(1, kThere), kEstimate);
     ASSERT_TRUE(made);
     EXPECT_EQ(made->clicks.size(), 1U);
   }
 }
 
 TEST(ClickedCorrection, SaysWhatCannotBe) {
-  EXPECT_FALSE(clickedCorrection({}, pair(), 0, 0, {2, {1.0, 1.0}}, kEstimate));
+  EXPECT_FALSE(correctionFromClick({}, pair(), 0, 0, {2, {1.0, 1.0}}, kEstimate));
   Project project; // rays that part in front of the cameras
-  addCorrection(project, *clickedCorrection({}, pair(), 0, 0, {0, {20.0, 240.0}}, kEstimate));
-  EXPECT_FALSE(clickedCorrection(project, pair(), 0, 0, {1, {620.0, 240.0}}, kEstimate));
+  addCorrection(project, *correctionFromClick({}, pair(), 0, 0, {0, {20.0, 240.0}}, kEstimate));
+  EXPECT_FALSE(correctionFromClick(project, pair(), 0, 0, {1, {620.0, 240.0}}, kEstimate));
 }
 
 } // namespace

@@ -42,7 +42,7 @@ double sigmaAlong(const Gaussian3& position, const Eigen::Vector3d& direction) {
 TEST(ClickedPosition, OfTwoClicksIsWhereTheirRaysMeet) {
   const CameraRig rig = rightAngle();
   const auto found =
-      clickedPosition(rig, {clickOn(rig, 0, kTarget), clickOn(rig, 1, kTarget)}, std::nullopt);
+      positionFromClicks(rig, {clickOn(rig, 0, kTarget), clickOn(rig, 1, kTarget)}, std::nullopt);
   ASSERT_TRUE(found) << errorSentence(found.error());
   EXPECT_LT((found->mean - kTarget).norm(), 1e-9);
   EXPECT_NEAR(sigmaAlong(*found, Eigen::Vector3d::UnitX()), 0.008, 1e-9);
@@ -56,7 +56,7 @@ TEST(ClickedPosition, OfTwoClicksIsWhereTheirRaysMeet) {
 TEST(ClickedPosition, OfClicksThatDisagreeIsLessCertain) {
   const CameraRig rig = rightAngle();
   const Eigen::Vector3d up(0.0, 0.0, 0.1);
-  const auto found = clickedPosition(
+  const auto found = positionFromClicks(
       rig, {clickOn(rig, 0, kTarget + up), clickOn(rig, 1, kTarget - up)}, std::nullopt);
   ASSERT_TRUE(found) << errorSentence(found.error());
   EXPECT_LT((found->mean - kTarget).norm(), 0.01);
@@ -70,7 +70,7 @@ TEST(ClickedPosition, OfOneClickTakesItsDepthFromTheEstimate) {
   const CameraRig rig = rightAngle();
   const Gaussian3 estimate{kTarget + Eigen::Vector3d(0.3, 0.5, 0.0),
                            0.04 * 0.04 * Eigen::Matrix3d::Identity()};
-  const auto found = clickedPosition(rig, {clickOn(rig, 0, kTarget)}, estimate);
+  const auto found = positionFromClicks(rig, {clickOn(rig, 0, kTarget)}, estimate);
   ASSERT_TRUE(found) << errorSentence(found.error());
   EXPECT_LT((found->mean - (kTarget + Eigen::Vector3d(0.0, 0.5, 0.0))).norm(), 1e-9);
   const double across = 0.01; // 2 px at 2.5 m
@@ -89,7 +89,7 @@ TEST(ClickedPosition, OfOneClickWithoutAnEstimateIsWhereOthersSee) {
   const PointClick click = clickOn(rig, 0, kTarget);
   const Gaussian3 behind{kTarget - 5.0 * Eigen::Vector3d::UnitY(), Eigen::Matrix3d::Identity()};
   for (const auto& estimate : {std::optional<Gaussian3>(), std::optional(behind)}) {
-    const auto found = clickedPosition(rig, {click}, estimate);
+    const auto found = positionFromClicks(rig, {click}, estimate);
     ASSERT_TRUE(found) << errorSentence(found.error());
     const double depth = (found->mean - rig[0].center()).norm();
     EXPECT_NEAR(depth, 1.181, 0.03);
@@ -110,7 +110,7 @@ CameraRig sideBySide() {
 // The other one sees the ray from 0.4 x 500 / 320 = 0.625 m
 // on and to the end of the world, which is 1.25 m in the middle of inverse depths.
 TEST(ClickedPosition, OfOneClickMayLieOnAnEndlessPart) {
-  const auto found = clickedPosition(sideBySide(), {{0, {319.5, 239.5}}}, std::nullopt);
+  const auto found = positionFromClicks(sideBySide(), {{0, {319.5, 239.5}}}, std::nullopt);
   ASSERT_TRUE(found) << errorSentence(found.error());
   EXPECT_NEAR(found->mean.y(), 1.25, 0.03);
 }
@@ -118,7 +118,7 @@ TEST(ClickedPosition, OfOneClickMayLieOnAnEndlessPart) {
 TEST(ClickedPosition, WhatTheClicksLeaveOpenIsSaid) {
   CameraRig rig = rightAngle();
   const auto error = [&](const std::vector<PointClick>& clicks) {
-    const auto found = clickedPosition(rig, clicks, std::nullopt);
+    const auto found = positionFromClicks(rig, clicks, std::nullopt);
     EXPECT_FALSE(found);
     return found ? Error{} : found.error();
   };

@@ -28,7 +28,7 @@ TEST(CounterpartSearch, FindsTheBallInTheOtherCameras) {
   for (std::size_t i = 0; i < 2; ++i) {
     const color::ColorSample& sample = counterparts.samples[i];
     EXPECT_EQ(sample.camera, static_cast<int>(i) + 1);
-    EXPECT_TRUE(sample.found && !sample.excluded);
+    EXPECT_TRUE(sample.isFoundByGeometry && !sample.isExcluded);
     EXPECT_TRUE(scene.isOn(sample, kBall, kRadius));
     EXPECT_FALSE(counterparts.outlines[i].empty());
   }
@@ -76,8 +76,8 @@ TEST(CounterpartSearch, LeavesOpenWhichOfTwoAlikeItIs) {
   const Counterparts counterparts =
       findCounterparts(scene.rig, scene.images, scene.clickOn(0, kBall, kRadius));
   EXPECT_TRUE(counterparts.samples.empty());
-  EXPECT_TRUE(holds(counterparts.undecided[1], scene.discOf(1, kBall, kRadius).center));
-  EXPECT_TRUE(holds(counterparts.undecided[1], scene.discOf(1, behind, kRadius).center));
+  EXPECT_TRUE(holds(counterparts.undecidedMasks[1], scene.discOf(1, kBall, kRadius).center));
+  EXPECT_TRUE(holds(counterparts.undecidedMasks[1], scene.discOf(1, behind, kRadius).center));
 }
 
 // The same, but a third camera shows only the nearer one.
@@ -138,8 +138,8 @@ TEST(CounterpartSearch, DoesNotTakeWhatIsExcluded) {
   PaintedRig scene(2);
   scene.paintInAll(kBall, kRadius, kRed);
   CounterpartLimits limits;
-  limits.excluded = {scene.clickOn(1, kBall, kRadius)};
-  limits.excluded[0].excluded = true;
+  limits.excludedSamples = {scene.clickOn(1, kBall, kRadius)};
+  limits.excludedSamples[0].isExcluded = true;
   const Counterparts counterparts =
       findCounterparts(scene.rig, scene.images, scene.clickOn(0, kBall, kRadius), limits);
   EXPECT_TRUE(counterparts.samples.empty());
@@ -153,7 +153,7 @@ TEST(CounterpartSearch, FindsNothingWithoutCalibrationOrImage) {
   scene.images[2].release();
   const Counterparts counterparts = findCounterparts(scene.rig, scene.images, click);
   EXPECT_TRUE(counterparts.samples.empty());
-  EXPECT_EQ(counterparts.undecided.size(), 3U);
+  EXPECT_EQ(counterparts.undecidedMasks.size(), 3U);
 }
 
 } // namespace

@@ -77,7 +77,7 @@ TEST(FootageLearningResult, MakesATargetOfAClick) {
   EXPECT_EQ(target.shape, TargetShape::Ball);
   EXPECT_FALSE(target.samples.front().colors.empty());
   EXPECT_EQ(target.samples.size(), 2U) << "the other camera shows it, too";
-  EXPECT_EQ(lesson->image.data, footage.scene.images[0].data);
+  EXPECT_EQ(lesson->clickedImage.data, footage.scene.images[0].data);
 }
 
 TEST(FootageLearningResult, TeachesTheTargetThatIsMeant) {

@@ -51,7 +51,7 @@ TEST(MarkedPart, IsWhatABoxHoldsOfSomethingLarger) {
   EXPECT_LT((part->center - hand.center).norm(), 2.0);
   EXPECT_NEAR(part->radiusPx, hand.radius, 2.0);
   EXPECT_FALSE(part->wholeObject.isBox());
-  EXPECT_GT(part->wholeObject.area, 1.5 * 3.14 * hand.radius * hand.radius);
+  EXPECT_GT(part->wholeObject.areaPx, 1.5 * 3.14 * hand.radius * hand.radius);
   // A box around all of it, and no box.
   const Eigen::Vector3d middle = 0.5 * (kHand + kElbow);
   EXPECT_FALSE(setup::partInBox(scene.images[0], boxOn(scene, 0, middle, 0.4)));

@@ -14,7 +14,7 @@ const ColorRange kGreens{90.0, 150.0, 0.3};
 
 ColorSample sampleOf(const color::BgrColor& bgr, bool excluded = false) {
   ColorSample sample;
-  sample.excluded = excluded;
+  sample.isExcluded = excluded;
   sample.colors.assign(10, bgr);
   return sample;
 }

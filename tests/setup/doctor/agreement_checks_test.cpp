@@ -45,15 +45,17 @@ TEST_F(AgreementChecks, SwappedImagesAreNamed) {
   std::swap(swapped[0].cameraFromWorld, swapped[1].cameraFromWorld);
   seenBy(swapped);
   const Finding finding = found(FindingKind::CamerasDisagree);
-  ASSERT_EQ(finding.values.size(), 2U);
-  EXPECT_NE(finding.values[1].find("swapped"), std::string::npos) << finding.values[1];
+  ASSERT_EQ(finding.placeholderValues.size(), 2U);
+  EXPECT_NE(finding.placeholderValues[1].find("swapped"), std::string::npos)
+      << finding.placeholderValues[1];
 }
 
 TEST_F(AgreementChecks, WhatARunCannotOpenIsAProblem) {
   options_.open = [](const Project&) -> Result<std::unique_ptr<FrameSetSource>> {
     return failure(ErrorCode::FileUnreadable, "left.mp4", "camera 1", "");
   };
-  EXPECT_NE(found(FindingKind::CannotOpen).values[0].find("left.mp4"), std::string::npos);
+  EXPECT_NE(found(FindingKind::CannotOpen).placeholderValues[0].find("left.mp4"),
+            std::string::npos);
 }
 
 } // namespace

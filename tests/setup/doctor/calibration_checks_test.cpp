@@ -8,19 +8,19 @@ namespace {
 using CalibrationChecks = ExaminedProject;
 
 TEST_F(CalibrationChecks, ASoundRigIsSaidToBePlausible) {
-  EXPECT_EQ(found(FindingKind::CalibrationFine).values[0], "2");
+  EXPECT_EQ(found(FindingKind::CalibrationFine).placeholderValues[0], "2");
 }
 
 TEST_F(CalibrationChecks, Millimeters) {
   for (ProjectCamera& camera : project_.cameras) {
     camera.camera.cameraFromWorld.translation() *= 1000.0;
   }
-  EXPECT_EQ(found(FindingKind::UnitWrong).values[1], "0.001");
+  EXPECT_EQ(found(FindingKind::UnitWrong).placeholderValues[1], "0.001");
 }
 
 TEST_F(CalibrationChecks, TwoCamerasOfOnePose) {
   project_.cameras[1].camera.cameraFromWorld = project_.cameras[0].camera.cameraFromWorld;
-  EXPECT_EQ(found(FindingKind::SamePose).values,
+  EXPECT_EQ(found(FindingKind::SamePose).placeholderValues,
             (std::vector<std::string>{"'camera 1'", "'camera 2'"}));
 }
 
@@ -32,7 +32,7 @@ TEST_F(CalibrationChecks, AMatrixOfAnotherResolution) {
 TEST_F(CalibrationChecks, ACameraUnderTheFloor) {
   project_.cameras[1].camera.cameraFromWorld = lookAt({1.0, 0.5, -0.4}, {0.0, 0.0, 0.1});
   const Finding finding = found(FindingKind::BelowFloor);
-  EXPECT_EQ(finding.values, (std::vector<std::string>{"'camera 2'", "0.40"}));
+  EXPECT_EQ(finding.placeholderValues, (std::vector<std::string>{"'camera 2'", "0.40"}));
   EXPECT_EQ(finding.level(), FindingLevel::Note);
 }
 

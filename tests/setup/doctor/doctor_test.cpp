@@ -12,7 +12,7 @@ TEST_F(Doctor, AFileThatIsNoProject) {
   const std::string file = text("broken.toml", "format = 2\nname = \n");
   const auto project = loadProject(file);
   ASSERT_FALSE(project);
-  const auto all = examineUnreadable(file, project.error());
+  const auto all = examineUnreadableProject(file, project.error());
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all[0].kind, FindingKind::ProjectUnreadable);
   EXPECT_EQ(all[0].file, file);
@@ -23,15 +23,15 @@ TEST_F(Doctor, AProjectWithoutItsCalibrationFileNamesIt) {
                                              "[[camera]]\nname = \"a\"\nvideo = \"a.mp4\"\n");
   const auto project = loadProject(file);
   ASSERT_FALSE(project);
-  const auto all = examineUnreadable(file, project.error());
+  const auto all = examineUnreadableProject(file, project.error());
   ASSERT_EQ(all.size(), 3U) << linesOf(all);
-  EXPECT_EQ(all[1].values[0], (folder_ / "a.mp4").string());
+  EXPECT_EQ(all[1].placeholderValues[0], (folder_ / "a.mp4").string());
   EXPECT_EQ(all[1].field, "camera 1");
-  EXPECT_EQ(all[2].values[0], (folder_ / "rig.toml").string());
+  EXPECT_EQ(all[2].placeholderValues[0], (folder_ / "rig.toml").string());
 }
 
 TEST_F(Doctor, RoomForResultsIsLookedForWhereTheFolderWillBe) {
-  options_.output = folder_ / "not" / "yet";
+  options_.outputFolder = folder_ / "not" / "yet";
   const auto all = findings();
   EXPECT_EQ(all.back().file, folder_.string());
 }

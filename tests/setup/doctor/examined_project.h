@@ -60,7 +60,7 @@ protected:
   /// Makes a camera one of a video with so many frames.
   void makeVideo(std::size_t camera, double rate, int frames = kFrames) {
     const std::string file = project_.cameras[camera].location + ".mkv";
-    auto writer = FrameWriter::video(file, rate);
+    auto writer = FrameWriter::createVideo(file, rate);
     for (int frame = 0; frame < frames; ++frame) {
       EXPECT_TRUE(writer->write(imageOf(camera, frame)));
     }

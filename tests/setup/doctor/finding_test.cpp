@@ -15,7 +15,7 @@ TEST(Finding, EachKindHasItsWordsAndAnAdviceWhereSomethingIsWrong) {
     EXPECT_EQ(static_cast<int>(words.kind), number++)
         << words.name << ": in the order of the kinds";
     EXPECT_TRUE(names.insert(words.name).second) << words.name;
-    EXPECT_TRUE(words.sentence.ends_with('.')) << words.sentence;
+    EXPECT_TRUE(words.description.ends_with('.')) << words.description;
     const bool isFine = words.level == FindingLevel::Ok;
     const bool saysWhatToDo = !words.advice.empty() || words.kind == FindingKind::CamerasDisagree;
     EXPECT_EQ(saysWhatToDo, !isFine) << words.name;

@@ -7,13 +7,13 @@ namespace {
 using MethodChecks = ExaminedProject;
 
 TEST_F(MethodChecks, AMethodThatFits) {
-  EXPECT_EQ(found(FindingKind::MethodFits).values[0], "dewpoint");
+  EXPECT_EQ(found(FindingKind::MethodFits).placeholderValues[0], "dewpoint");
 }
 
 TEST_F(MethodChecks, TooFewCameras) {
   project_.method = "dynamics";
   project_.cameras.pop_back();
-  EXPECT_EQ(found(FindingKind::NeedsMoreCameras).values,
+  EXPECT_EQ(found(FindingKind::NeedsMoreCameras).placeholderValues,
             (std::vector<std::string>{"dynamics", "2", "1"}));
 }
 
@@ -27,19 +27,19 @@ TEST_F(MethodChecks, AVolumeThatNobodySees) {
   const auto seen = findings();
   EXPECT_EQ(worstLevelOf(seen), FindingLevel::Ok) << linesOf(seen);
   project_.volumeOfInterest = WorldBox{{30.0, 30.0, 30.0}, {31.0, 31.0, 31.0}};
-  EXPECT_EQ(found(FindingKind::VolumeOutOfView).values[0], "2");
+  EXPECT_EQ(found(FindingKind::VolumeOutOfView).placeholderValues[0], "2");
 }
 
 TEST_F(MethodChecks, CorrectionsOfAnotherRecording) {
   PositionCorrection correction;
   correction.frame = 400;
   project_.corrections.push_back(correction);
-  EXPECT_EQ(found(FindingKind::CorrectionTooLate).values[0], "1");
+  EXPECT_EQ(found(FindingKind::CorrectionTooLate).placeholderValues[0], "1");
 }
 
 TEST_F(MethodChecks, ATruthThatCannotBeRead) {
-  project_.truth = text("truth.csv", "what,is,this\n1,2,3\n");
-  EXPECT_EQ(found(FindingKind::TruthUnusable).file, project_.truth->string());
+  project_.truthFile = text("truth.csv", "what,is,this\n1,2,3\n");
+  EXPECT_EQ(found(FindingKind::TruthUnusable).file, project_.truthFile->string());
 }
 
 } // namespace

@@ -12,7 +12,7 @@ TEST_F(RecordingChecks, NothingIsWrongWithASoundProject) {
   EXPECT_EQ(worstLevelOf(all), FindingLevel::Ok) << linesOf(all);
   const Finding fine = found(FindingKind::RecordingFine);
   EXPECT_EQ(fine.field, "camera 1.images");
-  EXPECT_EQ(fillPlaceholders(textsOf(fine.kind).sentence, fine.values),
+  EXPECT_EQ(fillPlaceholders(textsOf(fine.kind).description, fine.placeholderValues),
             "'camera 1' has 12 frames of 320 x 240 pixels, no rate stated.");
 }
 
@@ -33,7 +33,7 @@ TEST_F(RecordingChecks, WhatIsNoVideoIsUnreadable) {
 TEST_F(RecordingChecks, ANumberedImageIsMissing) {
   std::filesystem::remove(imageFile(0, 5));
   const Finding gap = found(FindingKind::ImagesMissing);
-  EXPECT_EQ(gap.values, (std::vector<std::string>{"'camera 1'", "1", "12", "0004.png"}));
+  EXPECT_EQ(gap.placeholderValues, (std::vector<std::string>{"'camera 1'", "1", "12", "0004.png"}));
 }
 
 TEST_F(RecordingChecks, ADamagedImageIsFoundWhereItIsLookedAt) {
@@ -45,8 +45,8 @@ TEST_F(RecordingChecks, ADamagedImageInBetweenIsFoundOnRequest) {
   std::ofstream(imageFile(1, 3)) << "cut off";
   const auto quick = findings();
   EXPECT_EQ(worstLevelOf(quick), FindingLevel::Ok) << linesOf(quick);
-  options_.everyFrame = true;
-  EXPECT_EQ(found(FindingKind::FrameUnreadable).values[1], "3");
+  options_.decodesEveryFrame = true;
+  EXPECT_EQ(found(FindingKind::FrameUnreadable).placeholderValues[1], "3");
 }
 
 TEST_F(RecordingChecks, AVideoThatIsCutOffIsNamed) {
@@ -64,7 +64,7 @@ TEST_F(RecordingChecks, AVideoThatIsCutOffIsNamed) {
 
 TEST_F(RecordingChecks, TheSizeIsNotThatOfTheCalibration) {
   project_.cameras[0].camera.intrinsics.width = 640;
-  EXPECT_EQ(found(FindingKind::SizeDiffers).values,
+  EXPECT_EQ(found(FindingKind::SizeDiffers).placeholderValues,
             (std::vector<std::string>{"'camera 1'", "320 x 240", "640 x 240"}));
   project_.cameras[0].camera.intrinsics = {240, 320, 350.0, 350.0, 119.5, 159.5};
   EXPECT_EQ(found(FindingKind::SizeRotated).field, "camera 1.rotate");
@@ -72,7 +72,7 @@ TEST_F(RecordingChecks, TheSizeIsNotThatOfTheCalibration) {
 
 TEST_F(RecordingChecks, RecordingsOfDifferentLength) {
   std::filesystem::remove(imageFile(1, kFrames - 1));
-  EXPECT_EQ(found(FindingKind::LengthsDiffer).values,
+  EXPECT_EQ(found(FindingKind::LengthsDiffer).placeholderValues,
             (std::vector<std::string>{"'camera 1' 12, 'camera 2' 11", "11"}));
 }
 
@@ -92,13 +92,15 @@ TEST_F(RecordingChecks, LiveCamerasAndRecordingsDoNotMix) {
 }
 
 TEST_F(RecordingChecks, ABackgroundImageOfAnotherSize) {
-  project_.cameras[0].backgroundImage = (folder_ / "empty.png").string();
-  cv::imwrite(project_.cameras[0].backgroundImage, cv::Mat(20, 20, CV_8UC3, cv::Scalar::all(9)));
-  EXPECT_EQ(found(FindingKind::BackgroundImageUnusable).file, project_.cameras[0].backgroundImage);
+  project_.cameras[0].backgroundImageFile = (folder_ / "empty.png").string();
+  cv::imwrite(project_.cameras[0].backgroundImageFile,
+              cv::Mat(20, 20, CV_8UC3, cv::Scalar::all(9)));
+  EXPECT_EQ(found(FindingKind::BackgroundImageUnusable).file,
+            project_.cameras[0].backgroundImageFile);
 }
 
 TEST_F(RecordingChecks, TheExaminationCanBeEnded) {
-  options_.everyFrame = true;
+  options_.decodesEveryFrame = true;
   int calls = 0;
   options_.shouldContinue = [&](double) { return ++calls < 2; };
   findings();

@@ -7,7 +7,7 @@ namespace {
 using TargetChecks = ExaminedProject;
 
 TEST_F(TargetChecks, AColorThatIsThereIsFine) {
-  EXPECT_EQ(found(FindingKind::ColorFine).values[0], "red");
+  EXPECT_EQ(found(FindingKind::ColorFine).placeholderValues[0], "red");
 }
 
 TEST_F(TargetChecks, NothingToTrack) {
@@ -28,19 +28,19 @@ TEST_F(TargetChecks, ARangeThatNothingMatches) {
 TEST_F(TargetChecks, AColorOfTheSurroundings) {
   project_.targets[0].color = {0.0, 360.0, 0.0, 1.0, 0.0, 1.0};
   const Finding finding = found(FindingKind::ColorEverywhere);
-  EXPECT_EQ(finding.values[2], "'camera 1'");
+  EXPECT_EQ(finding.placeholderValues[2], "'camera 1'");
 }
 
 TEST_F(TargetChecks, AColorThatIsNowhere) {
   project_.targets[0].color = {110.0, 130.0, 0.3, 1.0, 0.1, 0.9};
-  EXPECT_EQ(found(FindingKind::ColorNowhere).values[1], "6");
+  EXPECT_EQ(found(FindingKind::ColorNowhere).placeholderValues[1], "6");
 }
 
 TEST_F(TargetChecks, AColorThatOneCameraNeverSees) {
   for (int frame = 0; frame < kFrames; ++frame) {
     cv::imwrite(imageFile(1, frame), cv::Mat(240, 320, CV_8UC3, cv::Scalar::all(90)));
   }
-  EXPECT_EQ(found(FindingKind::ColorNotInCamera).values[1], "'camera 2'");
+  EXPECT_EQ(found(FindingKind::ColorNotInCamera).placeholderValues[1], "'camera 2'");
 }
 
 TEST_F(TargetChecks, ATargetThatWasOverexposedOrTooDarkWhenItWasLearned) {
@@ -52,12 +52,12 @@ TEST_F(TargetChecks, ATargetThatWasOverexposedOrTooDarkWhenItWasLearned) {
   dark.colors = {{4, 3, 15}, {4, 3, 12}, {10, 9, 60}};
   ColorSample wall = bright;
   wall.camera = 0;
-  wall.excluded = true; // it is not the target
+  wall.isExcluded = true; // it is not the target
   project_.targets[0].samples = {bright, dark, wall};
   const Finding over = found(FindingKind::TargetOverexposed);
-  EXPECT_EQ(over.values, (std::vector<std::string>{"red", "40", "'camera 2'"}));
+  EXPECT_EQ(over.placeholderValues, (std::vector<std::string>{"red", "40", "'camera 2'"}));
   EXPECT_EQ(over.field, "target 1.sample");
-  EXPECT_EQ(found(FindingKind::TargetTooDark).values,
+  EXPECT_EQ(found(FindingKind::TargetTooDark).placeholderValues,
             (std::vector<std::string>{"red", "67", "'camera 1'"}));
 }
 
@@ -85,7 +85,7 @@ TEST_F(TargetChecks, BoxesThatAreMissingOrBeyondTheEnd) {
   box.box = {100.0, 100.0, 20.0, 20.0};
   box.frame = kFrames;
   project_.targets[0].box = box;
-  EXPECT_EQ(found(FindingKind::BoxTooLate).values[1], "12");
+  EXPECT_EQ(found(FindingKind::BoxTooLate).placeholderValues[1], "12");
 }
 
 } // namespace

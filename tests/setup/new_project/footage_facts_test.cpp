@@ -23,7 +23,7 @@ protected:
   }
   std::string video(const std::string& name, int frames, double rate) const {
     const std::string file = (folder_ / name).string();
-    auto writer = FrameWriter::video(file, rate);
+    auto writer = FrameWriter::createVideo(file, rate);
     for (int k = 0; k < frames; ++k) {
       EXPECT_TRUE(writer->write(cv::Mat(240, 320, CV_8UC3, cv::Scalar(20, 120, 220))));
     }
@@ -95,11 +95,11 @@ TEST(FootageDifferences, AreThoseThatMatter) {
   EXPECT_EQ(footageDifferences({one, recording(320, 0.0, 378)}), FootageDifferences());
   const auto shorter = footageDifferences({one, recording(320, 30.0, 120)});
   EXPECT_EQ(shorter.shortestFrameCount, 120);
-  EXPECT_FALSE(shorter.sizesDiffer || shorter.ratesDiffer);
+  EXPECT_FALSE(shorter.imageSizesDiffer || shorter.frameRatesDiffer);
   const auto other = footageDifferences({recording(320, 0.0, 9), recording(640, 25.0, 9), one});
   EXPECT_EQ(other.shortestFrameCount, 9);
-  EXPECT_TRUE(other.sizesDiffer);
-  EXPECT_TRUE(other.ratesDiffer);
+  EXPECT_TRUE(other.imageSizesDiffer);
+  EXPECT_TRUE(other.frameRatesDiffer);
 }
 
 } // namespace

@@ -29,7 +29,8 @@ protected:
 
 TEST(Footage, NumbersAreSortedByTheirValue) {
   const std::vector<std::string> sorted{"/z/cam 1.mkv", "/y/cam 2.mkv", "/x/cam 10.mkv"};
-  EXPECT_EQ(inNaturalOrder({sorted[2], sorted[1], sorted[0]}), sorted); // folders do not count
+  EXPECT_EQ(sortedInNaturalOrder({sorted[2], sorted[1], sorted[0]}),
+            sorted); // folders do not count
   EXPECT_TRUE(isBeforeInDisplayOrder("a9b10", "a10b9"));
   EXPECT_TRUE(isBeforeInDisplayOrder("cam 007", "cam 8"));
   EXPECT_TRUE(

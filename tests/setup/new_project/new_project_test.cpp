@@ -102,37 +102,37 @@ TEST_F(NewProjectTest, OneCameraWithoutACalibrationFollowsBoxes) {
 
 TEST_F(NewProjectTest, CalibrationsGoByName) {
   auto wanted = two();
-  wanted.calibration = calibration({"right", "other", "left"});
+  wanted.calibrationFile = calibration({"right", "other", "left"});
   const auto made = createNewProject(wanted);
   ASSERT_TRUE(made) << errorSentence(made.error());
   EXPECT_FALSE(made->lacksCalibration);
-  EXPECT_FALSE(made->wasMatchedByOrder);
+  EXPECT_FALSE(made->wereCamerasMatchedByOrder);
   EXPECT_EQ(made->project.cameras[0].camera.intrinsics.focalX, 102.0); // the third of the file
   EXPECT_EQ(made->project.cameras[1].camera.intrinsics.focalX, 100.0); // the first
 }
 
 TEST_F(NewProjectTest, OrElseByOrderWhichIsSaid) {
   auto wanted = two();
-  wanted.calibration = calibration({"cam_0", "cam_1"});
+  wanted.calibrationFile = calibration({"cam_0", "cam_1"});
   const auto made = createNewProject(wanted);
   ASSERT_TRUE(made);
-  EXPECT_TRUE(made->wasMatchedByOrder);
+  EXPECT_TRUE(made->wereCamerasMatchedByOrder);
   EXPECT_EQ(made->project.cameras[1].camera.intrinsics.focalX, 101.0);
   EXPECT_EQ(made->project.cameras[1].camera.name, "right");
 }
 
 TEST_F(NewProjectTest, ACalibrationThatFitsNeitherWayIsRefused) {
   auto wanted = two();
-  wanted.calibration = calibration({"left", "other"});
+  wanted.calibrationFile = calibration({"left", "other"});
   const auto made = createNewProject(wanted);
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, ErrorCode::Mismatch);
   EXPECT_NE(made.error().detail.find("'left', 'other'"), std::string::npos) << made.error().detail;
   EXPECT_NE(made.error().detail.find("'left', 'right'"), std::string::npos) << made.error().detail;
-  wanted.adaptation.names = {{"right", "other"}};
+  wanted.adaptation.cameraRenaming = {{"right", "other"}};
   const auto mapped = createNewProject(wanted);
   ASSERT_TRUE(mapped) << errorSentence(mapped.error());
-  EXPECT_FALSE(mapped->wasMatchedByOrder);
+  EXPECT_FALSE(mapped->wereCamerasMatchedByOrder);
   EXPECT_EQ(mapped->project.cameras[1].camera.name, "right");
   EXPECT_EQ(mapped->project.cameras[1].camera.intrinsics.focalX, 101.0);
 }
@@ -142,21 +142,21 @@ TEST_F(NewProjectTest, ACalibrationOfAnotherImageSizeIsFittedAsTheUserSays) {
     cv::imwrite((folder_ / name / "0.png").string(), cv::Mat(40, 64, CV_8UC3, cv::Scalar(0)));
   }
   auto wanted = two();
-  wanted.calibration = calibration({"left", "right"});
+  wanted.calibrationFile = calibration({"left", "right"});
   const auto refused = createNewProject(wanted);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::Mismatch);
   EXPECT_EQ(refused.error().field, "left");
   EXPECT_NE(refused.error().detail.find("64 x 48"), std::string::npos);
   EXPECT_NE(refused.error().detail.find("64 x 40"), std::string::npos);
-  wanted.adaptation.fit = SizeFit::Crop;
+  wanted.adaptation.sizeFit = SizeFit::Crop;
   const auto made = createNewProject(wanted);
   ASSERT_TRUE(made) << errorSentence(made.error());
   EXPECT_EQ(made->decisions.size(), 2U);
   const Intrinsics& in = made->project.cameras[1].camera.intrinsics;
   EXPECT_EQ(in.height, 40);
   EXPECT_DOUBLE_EQ(in.centerY, 19.5);
-  wanted.adaptation.fit = SizeFit::Rotate90;
+  wanted.adaptation.sizeFit = SizeFit::Rotate90;
   EXPECT_EQ(createNewProject(wanted).error().code, ErrorCode::Mismatch); // 48 x 64 then
 }
 
@@ -171,7 +171,7 @@ TEST_F(NewProjectTest, TheSameNameTwiceIsMadeDifferent) {
 TEST_F(NewProjectTest, BadInputNamesTheCamera) {
   auto wanted = two();
   wanted.cameras[1].location = (folder_ / "nowhere.mp4").string();
-  wanted.cameras[1].source = SourceKind::Video;
+  wanted.cameras[1].sourceKind = SourceKind::Video;
   const auto missing = createNewProject(wanted);
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::FileMissing);

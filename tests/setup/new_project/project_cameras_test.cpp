@@ -47,10 +47,10 @@ void clickInAll(Project& project) {
     ColorSample& sample = target.samples.emplace_back();
     sample.camera = k;
     sample.x = pixel;
-    PersonCorrection& person = project.people.emplace_back();
+    PersonCorrection& person = project.personCorrections.emplace_back();
     person.click = {k, {pixel, pixel}};
   }
-  project.points = {point};
+  project.measuredPoints = {point};
   project.corrections = {correction};
   project.targets = {target};
   target.name = "cup";
@@ -68,13 +68,13 @@ TEST(ProjectCameras, WhatWasMarkedFollowsItsCamera) {
   const auto isOfFirstAndLast = [](const auto& items) {
     return items.size() == 2 && items[0].camera == 0 && items[1].camera == 1;
   };
-  EXPECT_TRUE(isOfFirstAndLast(project.points[0].clicks));
-  EXPECT_DOUBLE_EQ(project.points[0].clicks[1].pixel.x(), 102.0);
+  EXPECT_TRUE(isOfFirstAndLast(project.measuredPoints[0].clicks));
+  EXPECT_DOUBLE_EQ(project.measuredPoints[0].clicks[1].pixel.x(), 102.0);
   EXPECT_TRUE(isOfFirstAndLast(project.corrections[0].clicks));
   EXPECT_TRUE(isOfFirstAndLast(project.targets[0].samples));
   EXPECT_DOUBLE_EQ(project.targets[0].samples[1].x, 102.0);
-  ASSERT_EQ(project.people.size(), 2U);
-  EXPECT_EQ(project.people[1].click->camera, 1);
+  ASSERT_EQ(project.personCorrections.size(), 2U);
+  EXPECT_EQ(project.personCorrections[1].click->camera, 1);
   ASSERT_TRUE(project.targets[1].box);
   EXPECT_EQ(project.targets[1].box->camera, 1);
   ASSERT_TRUE(removeProjectCamera(project, 1));
@@ -136,7 +136,7 @@ TEST(ProjectCameras, RecordingsAndLiveCamerasAreNotMixed) {
   EXPECT_FALSE(replaceSource(project, 0, {"", SourceKind::Video, "/tmp/a.mkv", {640, 480}, {}}));
   EXPECT_EQ(project, before);
   project.scene = "demo";
-  EXPECT_FALSE(checkCanAdd(project, SourceKind::Stream));
+  EXPECT_FALSE(checkCanAddCamera(project, SourceKind::Stream));
 }
 
 TEST(ProjectCameras, AReplacedSourceKeepsNameAndCalibration) {

@@ -13,9 +13,9 @@ using capture::ColorAutomatic;
 CameraDevice webcam(int number, const std::string& serial) {
   CameraDevice device;
   device.path = "/dev/video" + std::to_string(number);
-  device.address = "/dev/v4l/by-id/webcam-" + serial;
+  device.stablePath = "/dev/v4l/by-id/webcam-" + serial;
   device.identity = {"usb-0:" + std::to_string(number) + ":1.0", serial, "Webcam", "046d:082d"};
-  device.usb = {1, 480.0, 480.0};
+  device.usbLink = {1, 480.0, 480.0};
   device.formats = {{"MJPG", "Motion-JPEG", true, {{1920, 1080, {30.0, 15.0}}}},
                     {"YUYV", "YUYV 4:2:2", false, {{1920, 1080, {30.0, 5.0}}}}};
   return device;
@@ -39,11 +39,11 @@ TEST(ProjectDevices, CamerasHaveTheirDeviceByIdentityOrByPlace) {
                                        {"", SourceKind::Device, "9", {}, {}}});
   const auto matches = matchProjectDevices(project, present);
   ASSERT_EQ(matches.size(), 5U);
-  EXPECT_EQ(matches[0].device, 1U);
-  EXPECT_EQ(matches[1].device, 2U);
-  EXPECT_EQ(matches[2].device, 0U);
-  EXPECT_FALSE(matches[3].device);
-  EXPECT_FALSE(matches[4].device);
+  EXPECT_EQ(matches[0].deviceIndex, 1U);
+  EXPECT_EQ(matches[1].deviceIndex, 2U);
+  EXPECT_EQ(matches[2].deviceIndex, 0U);
+  EXPECT_FALSE(matches[3].deviceIndex);
+  EXPECT_FALSE(matches[4].deviceIndex);
 }
 
 TEST(ProjectDevices, ShortagesNameTheCamerasOfTheProject) {
@@ -56,9 +56,9 @@ TEST(ProjectDevices, ShortagesNameTheCamerasOfTheProject) {
   }
   const auto shortages = projectBandwidthShortages(project, present);
   ASSERT_EQ(shortages.size(), 1U);
-  EXPECT_EQ(shortages[0].requests, (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(shortages[0].requestIndices, (std::vector<std::size_t>{1, 2}));
   for (const auto& proposal : shortages[0].proposals) {
-    EXPECT_TRUE(proposal.request == 1 || proposal.request == 2);
+    EXPECT_TRUE(proposal.requestIndex == 1 || proposal.requestIndex == 2);
   }
 }
 

@@ -14,19 +14,19 @@ TEST(ProjectRecording, IsTheFileAsTheProjectTakesIt) {
   camera.source = SourceKind::Video;
   camera.location = "/recordings/door.mp4";
   camera.rotateDegrees = 90;
-  camera.mirrored = true;
-  camera.times = "/recordings/door.csv";
+  camera.isMirrored = true;
+  camera.captureTimeFile = "/recordings/door.csv";
   camera.delay = 0.02;
   const RecordedCamera recorded = setup::recordedCamera(camera);
   EXPECT_EQ(recorded.name, "door");
   EXPECT_EQ(recorded.kind, RecordedCamera::Kind::Video);
   EXPECT_EQ(recorded.path, "/recordings/door.mp4");
   EXPECT_EQ(recorded.rotateDegrees, 90);
-  EXPECT_TRUE(recorded.mirrored);
+  EXPECT_TRUE(recorded.isMirrored);
   EXPECT_EQ(recorded.width, 640);
   EXPECT_EQ(recorded.height, 480);
-  EXPECT_EQ(recorded.times, "/recordings/door.csv");
-  EXPECT_EQ(recorded.delay, 0.02);
+  EXPECT_EQ(recorded.timesFile, "/recordings/door.csv");
+  EXPECT_EQ(recorded.delaySeconds, 0.02);
 
   camera.source = SourceKind::Images;
   EXPECT_EQ(setup::recordedCamera(camera).kind, RecordedCamera::Kind::Images);

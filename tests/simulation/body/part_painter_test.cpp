@@ -131,7 +131,7 @@ TEST(PartPainter, PartsAreAsLargeAsTheBodysRadiusSays) {
   StageBody body =
       bodyOf({simulation::capsuleBetween({0.1, 0.0, 0.0}, {0.2, 0.0, 0.0}, 0.01, kPink)});
   EXPECT_EQ(body.partsAt(0.0).front().size.x(), 0.01F);
-  body.radius = 0.5 * body.partsRadius;
+  body.radius = 0.5 * body.nominalRadius;
   const MovingPart half = body.partsAt(0.0).front();
   EXPECT_NEAR(half.size.x(), 0.005F, 1e-6F);
   EXPECT_NEAR(half.size.z(), 0.025F, 1e-6F);

@@ -38,7 +38,7 @@ PeopleAt passingAt(double speed) {
 /// The office's lamp, and a reddish one from the left.
 Illumination withLampFromTheLeft() {
   Illumination light;
-  light.lamp = kOfficeLampPosition;
+  light.lampPosition = kOfficeLampPosition;
   light.additionalLamps.push_back({{-3.0F, 1.0F, 1.2F}, {0.2F, 0.4F, 0.8F}});
   return light;
 }
@@ -62,7 +62,7 @@ cv::Mat momentaryImage(const PeopleAt& people, const Illumination& light) {
 TEST(ExposureSteps, AShortExposureIsOneStep) {
   const auto steps = exposureSteps({0.01, 0.0}, 120);
   ASSERT_EQ(steps.size(), 1U);
-  EXPECT_NEAR(steps[0].time, 0.0, 1e-12);
+  EXPECT_NEAR(steps[0].centerTime, 0.0, 1e-12);
   for (const float share : steps[0].rowShares) {
     EXPECT_NEAR(share, 1.0F, 1e-5F);
   }
@@ -79,7 +79,7 @@ TEST(ExposureSteps, EachRowHasItsOwnTime) {
     for (const ExposureStep& step : steps) {
       const double share = step.rowShares[static_cast<std::size_t>(row)];
       sum += share;
-      mean += share * step.time;
+      mean += share * step.centerTime;
     }
     EXPECT_NEAR(sum, 1.0, 1e-5) << row;
     EXPECT_NEAR(mean, rowTime(shutter, row, rows), 0.004) << row; // a quarter of a step
@@ -104,7 +104,7 @@ TEST(PeopleExposure, WhoWalksIs) {
 
 TEST(PeopleLight, IsTheLampAloneWhereThereIsNoOther) {
   Illumination light;
-  light.lamp = kOfficeLampPosition;
+  light.lampPosition = kOfficeLampPosition;
   const RelitBackground background = relightBackground(exposureView(), light);
   cv::Mat room = backgroundAt(exposureView(), background, light, 0.0);
   cv::Mat same = room.clone();
@@ -116,7 +116,7 @@ TEST(PeopleLight, IsTheLampAloneWhereThereIsNoOther) {
 
 TEST(PeopleLight, AFurtherLampLightsPeople) {
   Illumination plain;
-  plain.lamp = kOfficeLampPosition;
+  plain.lampPosition = kOfficeLampPosition;
   const PeopleAt people = passingAt(0.0);
   const cv::Mat before = momentaryImage(people, plain);
   const cv::Mat after = momentaryImage(people, withLampFromTheLeft());

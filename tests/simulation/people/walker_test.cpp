@@ -66,7 +66,7 @@ TEST(Walker, HasAChildsHeadBelowAnAdultsHeight) {
 
 TEST(Walker, IsAsTallAsItStands) {
   for (const double height : {0.9, 1.1, 1.75, 2.0}) {
-    EXPECT_EQ(standingAtOrigin(height).topHeight(0.0), height);
+    EXPECT_EQ(standingAtOrigin(height).topHeightAt(0.0), height);
   }
 }
 
@@ -75,11 +75,11 @@ TEST(Walker, IsAsTallAsItStands) {
 // 0.491 + 0.755 cos 0.05 + 0.02 sin 0.05 = 1.246 m, the top at 1.346 m, that is 1.342 m of 1.75 m.
 TEST(Walker, SitsLower) {
   const Walker sitter = taking(Posture::Sitting);
-  EXPECT_EQ(sitter.topHeight(1.0), 1.75);
-  EXPECT_NEAR(sitter.topHeight(2.0), 1.342, 0.001);
-  const double between = sitter.topHeight(1.5);
+  EXPECT_EQ(sitter.topHeightAt(1.0), 1.75);
+  EXPECT_NEAR(sitter.topHeightAt(2.0), 1.342, 0.001);
+  const double between = sitter.topHeightAt(1.5);
   EXPECT_LT(between, 1.75);
-  EXPECT_GT(between, sitter.topHeight(2.0));
+  EXPECT_GT(between, sitter.topHeightAt(2.0));
   // The feet stay where they are: the lower end of the shins at 0.02 m less half their overhang.
   const auto parts = bodyParts(sitter, 2.0);
   EXPECT_NEAR(parts[5].center.z() - parts[5].halfSize.z(), -0.002F, 1e-4F);
@@ -89,9 +89,9 @@ TEST(Walker, SitsLower) {
 
 TEST(Walker, CrouchesLowerStillAndRises) {
   Walker walker = taking(Posture::Crouching);
-  EXPECT_LT(walker.topHeight(2.0), 1.1);
+  EXPECT_LT(walker.topHeightAt(2.0), 1.1);
   walker.postures.push_back({5.0, Posture::Standing});
-  EXPECT_EQ(walker.topHeight(6.0), 1.75);
+  EXPECT_EQ(walker.topHeightAt(6.0), 1.75);
   const auto angles = jointAnglesAt(walker.postures, 6.0);
   EXPECT_TRUE(angles.isUpright());
 }
@@ -117,7 +117,7 @@ TEST(Walker, HoldsABoxBeforeTheChest) {
   // Half the trunk's depth, a gap of 0.01 m and half the box: 0.125 + 0.01 + 0.15 m ahead.
   EXPECT_NEAR(box.center.x(), 0.285F, 1e-5F);
   EXPECT_NEAR(box.center.y(), 0.0F, 1e-6F);
-  EXPECT_EQ(walker.topHeight(0.0), 1.75);
+  EXPECT_EQ(walker.topHeightAt(0.0), 1.75);
 }
 
 TEST(Walker, CarriesABagBesideTheRightLeg) {

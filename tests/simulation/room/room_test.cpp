@@ -32,8 +32,9 @@ TEST(Room, ADeskIsAtHeightZeroAndAHallHasWalls) {
 TEST(Room, WhatFacesTheLampIsBrighter) {
   const Vector3f point{0.5F, 0.5F, 0.0F};
   const Vector3f towards = (kLampPosition - point).normalized();
-  EXPECT_GT(shade(point, towards, 1.0F), shade(point, -towards, 1.0F));
-  EXPECT_GT(shade(point, towards, 1.0F), shade(point, towards, 0.0F)) << "a shadow";
+  EXPECT_GT(matteSurfaceLight(point, towards, 1.0F), matteSurfaceLight(point, -towards, 1.0F));
+  EXPECT_GT(matteSurfaceLight(point, towards, 1.0F), matteSurfaceLight(point, towards, 0.0F))
+      << "a shadow";
 }
 
 TEST(RoomDesign, AddsFurnitureWallsAndALamp) {
@@ -41,10 +42,10 @@ TEST(RoomDesign, AddsFurnitureWallsAndALamp) {
   design.additionalFurniture.add(Shape::Box, {0.5F, 0.5F, 0.35F}, {0.1F, 0.1F, 0.1F},
                                  {Pattern::Plain, rgb(250, 10, 10)});
   design.wallMaterial = Material{Pattern::Plain, rgb(10, 10, 250)};
-  design.lamp = Vector3f{0.5F, -1.0F, 1.5F};
+  design.lampPosition = Vector3f{0.5F, -1.0F, 1.5F};
   const Room room(Furnishing::Desk, design);
-  EXPECT_EQ(room.lamp(), *design.lamp);
-  EXPECT_EQ(Room(Furnishing::Desk).lamp(), kLampPosition);
+  EXPECT_EQ(room.lampPosition(), *design.lampPosition);
+  EXPECT_EQ(Room(Furnishing::Desk).lampPosition(), kLampPosition);
   // From the camera to the front of the box: 1 m less its half size.
   EXPECT_NEAR(room.castRay({0.5F, -0.5F, 0.35F}, Vector3f::UnitY()).distance, 0.9F, 1e-5F);
   const RoomView view(cameraAtDesk(), room);

@@ -110,7 +110,7 @@ TEST(SceneRenderer, TheLightChangesAsTheSceneSays) {
   const auto again = parseScene(sceneToml(scene), "scene.toml");
   ASSERT_TRUE(again) << errorSentence(again.error());
   ASSERT_EQ(again->lights.size(), 1U);
-  EXPECT_EQ(again->lights[0].kelvin, 4500.0);
+  EXPECT_EQ(again->lights[0].colorTemperature, 4500.0);
   EXPECT_EQ(parseScene("[[light]]\nbrightness = 0\n", "dark.toml").error().field,
             "light 1.brightness");
 }
@@ -162,19 +162,19 @@ TEST(SceneFile, NamesFileAndKeyOfWhatIsWrong) {
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().file, "scene.toml");
   EXPECT_EQ(unknown.error().field, "colour");
-  const auto missing = sceneNamed("no-such-scene");
+  const auto missing = loadScene("no-such-scene");
   ASSERT_FALSE(missing);
 }
 
 TEST(Scene, EveryBuiltInNameOpens) {
   for (const auto& name : sceneNames()) {
-    EXPECT_TRUE(sceneNamed(name)) << name;
+    EXPECT_TRUE(loadScene(name)) << name;
   }
 }
 
 // A filter of one iteration per frame takes up to 25 of them.
 TEST(Scene, TheBallRestsWhileAFilterIsWatchedConverging) {
-  const auto scene = sceneNamed("converge");
+  const auto scene = loadScene("converge");
   ASSERT_TRUE(scene);
   EXPECT_EQ(ballPosition(*scene, 0, frameTime(*scene, 25)), ballPosition(*scene, 0, 0.0));
   EXPECT_GT(frameTime(*scene, 15), 1.5); // slow enough to be seen

@@ -133,30 +133,31 @@ TEST(Illumination, GainAndLampsAddUp) {
   Illumination light;
   light.roomGain = 0.5F;
   const RelitBackground half = relightBackground(view, light);
-  EXPECT_LT(cv::norm(half.ambient + half.direct, 0.5 * view.background, cv::NORM_INF), 0.01);
+  EXPECT_LT(cv::norm(half.ambientLight + half.directLight, 0.5 * view.background, cv::NORM_INF),
+            0.01);
   light.roomGain = 1.0F;
   light.additionalLamps.push_back({{0.5F, 0.5F, 2.0F}, {0.0F, 0.0F, 0.4F}}); // red, from above
   const RelitBackground red = relightBackground(view, light);
   const cv::Vec3f before = view.background.at<cv::Vec3f>(110, 80);
-  const cv::Vec3f after = cv::Mat(red.ambient + red.direct).at<cv::Vec3f>(110, 80);
+  const cv::Vec3f after = cv::Mat(red.ambientLight + red.directLight).at<cv::Vec3f>(110, 80);
   EXPECT_NEAR(after[0], before[0], 0.01);
   EXPECT_GT(after[2], 1.2F * before[2]);
   // On the ball's top the light is the room's and 0.4 of red.
   const LightField field{&light, 0.0};
   const Vector3f top{0.5F, 0.5F, 0.185F};
   const Vector3f up = Vector3f::UnitZ();
-  const float room = shade(top, up, 1.0F);
+  const float room = matteSurfaceLight(top, up, 1.0F);
   EXPECT_NEAR(field.lightAt(top, up).x(), room, 1e-6F);
   EXPECT_NEAR(field.lightAt(top, up).z(), room + 0.4F, 1e-5F);
 }
 
 TEST(Illumination, LampsFallOffBeyondTheirReach) {
   AdditionalLamp lamp{{0.0F, 0.0F, 1.0F}, Vector3f::Constant(0.5F)};
-  EXPECT_EQ(lamp.falloff(50.0F), 1.0F) << "everywhere the same unless set otherwise";
+  EXPECT_EQ(lamp.falloffAt(50.0F), 1.0F) << "everywhere the same unless set otherwise";
   lamp.reach = 1.5F;
-  EXPECT_EQ(lamp.falloff(0.2F), 1.0F);
-  EXPECT_EQ(lamp.falloff(1.5F), 1.0F);
-  EXPECT_FLOAT_EQ(lamp.falloff(3.0F), 0.25F);
+  EXPECT_EQ(lamp.falloffAt(0.2F), 1.0F);
+  EXPECT_EQ(lamp.falloffAt(1.5F), 1.0F);
+  EXPECT_FLOAT_EQ(lamp.falloffAt(3.0F), 0.25F);
   // On a floor 3 m below it; the room's own light is switched off.
   Illumination light;
   light.roomGain = 0.0F;
@@ -169,16 +170,16 @@ TEST(Illumination, LampsFallOffBeyondTheirReach) {
 TEST(Illumination, AShadowTakesTheLampAndMoves) {
   const MovingShadow shadow{Vector3f::UnitX(), 0.1, 0.2, 0.1F, 0.02F, 0.8F};
   // Its middle is at x = 0.5 after two seconds, its border 0.1 m beside that.
-  EXPECT_FLOAT_EQ(shadowAt(shadow, {0.5F, 3.0F, 1.0F}, 2.0), 0.8F);
-  EXPECT_NEAR(shadowAt(shadow, {0.6F, 0.0F, 0.0F}, 2.0), 0.4F, 1e-4F);
-  EXPECT_FLOAT_EQ(shadowAt(shadow, {0.63F, 0.0F, 0.0F}, 2.0), 0.0F);
-  EXPECT_FLOAT_EQ(shadowAt(shadow, {0.5F, 0.0F, 0.0F}, 4.0), 0.0F);
+  EXPECT_FLOAT_EQ(blockedFractionAt(shadow, {0.5F, 3.0F, 1.0F}, 2.0), 0.8F);
+  EXPECT_NEAR(blockedFractionAt(shadow, {0.6F, 0.0F, 0.0F}, 2.0), 0.4F, 1e-4F);
+  EXPECT_FLOAT_EQ(blockedFractionAt(shadow, {0.63F, 0.0F, 0.0F}, 2.0), 0.0F);
+  EXPECT_FLOAT_EQ(blockedFractionAt(shadow, {0.5F, 0.0F, 0.0F}, 4.0), 0.0F);
   Illumination light;
   light.shadow = MovingShadow{Vector3f::UnitX(), 0.0, 0.0, 100.0F, 0.02F, 1.0F};
   const RelitBackground background = relightBackground(*stageView(), light);
   const cv::Mat dark = backgroundAt(*stageView(), background, light, 0.0);
-  EXPECT_LT(cv::norm(dark, background.ambient, cv::NORM_INF), 1e-3) << "everything in it";
-  EXPECT_GT(cv::mean(background.direct)[1], 10.0) << "there was something to take";
+  EXPECT_LT(cv::norm(dark, background.ambientLight, cv::NORM_INF), 1e-3) << "everything in it";
+  EXPECT_GT(cv::mean(background.directLight)[1], 10.0) << "there was something to take";
 }
 
 TEST(Stage, IsMeteredInTheLightItHas) {

@@ -137,7 +137,7 @@ TEST(SensorModel, AConstantImageStaysConstant) {
 TEST(SensorModel, ExposureActsOnLinearLight) {
   const cv::Mat light(8, 8, CV_32FC3, cv::Scalar::all(255.0 * encodedLevel(0.2)));
   SensorModel model;
-  model.gains.gainPerFrame = {{2.0, {1.0, 1.0, 0.5}}};
+  model.gainCurve.gainPerFrame = {{2.0, {1.0, 1.0, 0.5}}};
   const cv::Vec3b pixel = sensorImage(light, model, 0.0, 0.0, kStream).at<cv::Vec3b>(4, 4);
   EXPECT_NEAR(pixel[1], 255.0 * encodedLevel(0.4), 0.6);
   EXPECT_NEAR(pixel[2], 255.0 * encodedLevel(0.2), 0.6);

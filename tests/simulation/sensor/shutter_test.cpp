@@ -24,13 +24,13 @@ TEST(Shutter, BandsCoverAllRowsAtTheirMiddleTimes) {
   ASSERT_EQ(bands.size(), 16U) << "15 of 16 rows and one of 3";
   int next = 0;
   for (const RowBand& band : bands) {
-    EXPECT_EQ(band.begin, next);
-    next = band.end;
+    EXPECT_EQ(band.firstRow, next);
+    next = band.endRow;
     double sum = 0.0;
-    for (int row = band.begin; row < band.end; ++row) {
+    for (int row = band.firstRow; row < band.endRow; ++row) {
       sum += rowTime(shutter, row, 243);
     }
-    EXPECT_NEAR(band.time, sum / (band.end - band.begin), 1e-12);
+    EXPECT_NEAR(band.centerTime, sum / (band.endRow - band.firstRow), 1e-12);
   }
   EXPECT_EQ(next, 243);
   EXPECT_EQ(rowBands({0.01, 0.0}, 243).size(), 1U);

@@ -87,8 +87,8 @@ TEST(BarreraTracker, ConvergesFromThePapersStart) {
     }
     EXPECT_LT((estimate.mean - kBallCenter).norm(), 0.03) << "seed " << seed;
     EXPECT_EQ(estimate.seeingCameraCount, 2);
-    EXPECT_TRUE(estimate.valid);
-    EXPECT_FALSE(estimate.degenerate);
+    EXPECT_TRUE(estimate.isValid);
+    EXPECT_FALSE(estimate.isDegenerate);
     EXPECT_EQ(estimate.particleCount, 200);
     EXPECT_GT(estimate.effectiveSampleSize, 1.0);
     EXPECT_NEAR(estimate.spread(), std::sqrt(estimate.covariance.trace()), 1e-12);
@@ -217,14 +217,14 @@ TEST(BarreraTracker, ValidNeedsTwoCamerasUnlessThereIsOne) {
   tracker->beginFrame(half);
   SphereEstimate estimate = tracker->iterate(team);
   EXPECT_EQ(estimate.seeingCameraCount, 1);
-  EXPECT_FALSE(estimate.valid);
+  EXPECT_FALSE(estimate.isValid);
 
   const CameraRig single(rig.begin(), rig.begin() + 1);
   const auto alone = startedBarrera(onBall, single);
   alone->beginFrame(ballFrames(single, kBallCenter));
   estimate = alone->iterate(team);
   EXPECT_EQ(estimate.seeingCameraCount, 1);
-  EXPECT_TRUE(estimate.valid);
+  EXPECT_TRUE(estimate.isValid);
 }
 
 TEST(BarreraTracker, WithoutImagesAllParticlesAreEqual) {
@@ -234,8 +234,8 @@ TEST(BarreraTracker, WithoutImagesAllParticlesAreEqual) {
   const SphereEstimate estimate = tracker->iterate(team);
   EXPECT_NEAR(estimate.effectiveSampleSize, 200.0, 1e-9);
   EXPECT_EQ(estimate.seeingCameraCount, 0);
-  EXPECT_FALSE(estimate.valid);
-  EXPECT_FALSE(estimate.degenerate);
+  EXPECT_FALSE(estimate.isValid);
+  EXPECT_FALSE(estimate.isDegenerate);
 }
 
 TEST(BarreraTracker, AnotherTargetColorIsNotSeen) {
@@ -246,7 +246,7 @@ TEST(BarreraTracker, AnotherTargetColorIsNotSeen) {
                                                   {"start_z", kBallCenter.z()}}),
                                       rig);
   tracker->beginFrame(ballFrames(rig, kBallCenter));
-  EXPECT_TRUE(tracker->iterate(team).valid);
+  EXPECT_TRUE(tracker->iterate(team).isValid);
   Target blue = redBall();
   blue.color.hueMin = 220.0;
   blue.color.hueMax = 260.0;
@@ -260,16 +260,16 @@ TEST(BarreraTracker, SearchingFromOutsideAnImageDoesNotSayThatTheTargetIsOutside
   ThreadTeam team;
   const auto tracker = startedBarrera(parameters(), rig);
   tracker->beginFrame(ballFrames(rig, kBallCenter));
-  EXPECT_FALSE(tracker->iterate(team).valid);
+  EXPECT_FALSE(tracker->iterate(team).isValid);
   for (const CameraReport& report : tracker->cameraReports()) {
     EXPECT_EQ(report.status, CameraStatus::Elsewhere);
-    EXPECT_GT(report.distancePx, 100.0);
+    EXPECT_GT(report.outlineDistancePx, 100.0);
   }
   Target blue = redBall();
   blue.color.hueMin = 220.0;
   blue.color.hueMax = 260.0;
   tracker->setTarget(blue);
-  EXPECT_FALSE(tracker->iterate(team).valid);
+  EXPECT_FALSE(tracker->iterate(team).isValid);
   for (const CameraReport& report : tracker->cameraReports()) {
     EXPECT_EQ(report.status, CameraStatus::NoColor);
   }

@@ -27,7 +27,7 @@ TEST(DynamicsTracker, MeasuresWhereTheColorsMassIs) {
   EXPECT_LT((*tracker.measuredPosition() - ball).norm(), 0.002);
   ThreadTeam team(1);
   const SphereEstimate estimate = tracker.iterate(team);
-  EXPECT_TRUE(estimate.valid);
+  EXPECT_TRUE(estimate.isValid);
   EXPECT_EQ(estimate.seeingCameraCount, 3);
   EXPECT_EQ(tracker.cameraReports().front().status, CameraStatus::None);
 }
@@ -41,10 +41,10 @@ TEST(DynamicsTracker, WhatIsOutsideTheVolumeOfInterestIsNoMeasurement) {
   tracker.beginFrame(drawn::framesOf(rig, {{drawn::kMiddle}}, 0));
   EXPECT_FALSE(tracker.measuredPosition());
   ThreadTeam team(1);
-  EXPECT_FALSE(tracker.iterate(team).valid);
+  EXPECT_FALSE(tracker.iterate(team).isValid);
   tracker.beginFrame(drawn::framesOf(rig, {{drawn::kMiddle + Eigen::Vector3d(0.15, 0.0, 0.0)}}, 1));
   EXPECT_TRUE(tracker.measuredPosition());
-  EXPECT_TRUE(tracker.iterate(team).valid);
+  EXPECT_TRUE(tracker.iterate(team).isValid);
 }
 
 TEST(DynamicsTracker, OneCameraAloneMeasuresNothing) {
@@ -54,7 +54,7 @@ TEST(DynamicsTracker, OneCameraAloneMeasuresNothing) {
   tracker.beginFrame(drawn::framesOf(rig, {{drawn::kMiddle}}, 0));
   EXPECT_FALSE(tracker.measuredPosition());
   ThreadTeam team(1);
-  EXPECT_FALSE(tracker.iterate(team).valid);
+  EXPECT_FALSE(tracker.iterate(team).isValid);
   tracker.beginFrame(drawn::framesOf(rig, {}, 1));
   EXPECT_EQ(tracker.cameraReports().front().status, CameraStatus::NoColor);
 }
@@ -78,7 +78,7 @@ TEST(DynamicsTracker, FollowsGivenPositionsAndSpreadsWithout) {
     tracker.beginFrame(k, std::nullopt);
     estimate = tracker.iterate(team);
   }
-  EXPECT_FALSE(estimate.valid);
+  EXPECT_FALSE(estimate.isValid);
   EXPECT_GT(estimate.spread(), before);
 }
 
@@ -88,7 +88,7 @@ TEST(DynamicsTracker, AFarMeasurementDoesNotUnderflow) {
   ThreadTeam team(1);
   tracker.beginFrame(0, Eigen::Vector3d(50.0, 0.0, 0.0)); // exp(-125000) as a plain number
   const SphereEstimate estimate = tracker.iterate(team);
-  EXPECT_FALSE(estimate.degenerate);
+  EXPECT_FALSE(estimate.isDegenerate);
   EXPECT_GT(estimate.mean.x(), 0.0) << "those nearer to it count more";
 }
 

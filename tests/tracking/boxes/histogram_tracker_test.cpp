@@ -30,7 +30,7 @@ TEST(HistogramTracker, FollowsAPatch) {
   double least = 1.0;
   for (int frame = 1; frame <= 60; ++frame) {
     const BoxEstimate estimate = tracker->step(scene.image(frame), team);
-    EXPECT_TRUE(estimate.visible) << frame;
+    EXPECT_TRUE(estimate.isVisible) << frame;
     least = std::min(least, intersectionOverUnion(estimate.box, scene.box(frame)));
   }
   EXPECT_GT(least, 0.7); // a patch of clear colors: 2 px off in both directions are 0.77
@@ -103,14 +103,14 @@ TEST(HistogramTracker, HoldsAHiddenTargetAndFindsItAgain) {
   }
   for (int frame = 16; frame <= 25; ++frame) {
     const BoxEstimate held = tracker->step(scene.image(frame, false), team);
-    EXPECT_FALSE(held.visible) << frame;
+    EXPECT_FALSE(held.isVisible) << frame;
     EXPECT_EQ(held.box, last) << frame;
   }
   BoxEstimate found; // it has moved on by more than its size; a second is enough to find it
   for (int frame = 26; frame <= 50; ++frame) {
     found = tracker->step(scene.image(frame), team);
   }
-  EXPECT_TRUE(found.visible);
+  EXPECT_TRUE(found.isVisible);
   EXPECT_GT(intersectionOverUnion(found.box, scene.box(50)), 0.7);
 }
 
@@ -166,7 +166,7 @@ TEST(HistogramTracker, SurvivesABoxAtTheBorderAndAnEmptyImage) {
   ASSERT_TRUE(tracker->start(scene.image(0), {-10.0, -10.0, 30.0, 30.0}, 1));
   for (int frame = 1; frame < 200; ++frame) {
     const BoxEstimate estimate = tracker->step(cv::Mat::zeros(scene.size, CV_8UC3), team);
-    ASSERT_TRUE(std::isfinite(estimate.box.x) && std::isfinite(estimate.spread)) << frame;
+    ASSERT_TRUE(std::isfinite(estimate.box.x) && std::isfinite(estimate.spreadPixels)) << frame;
   }
 }
 
@@ -183,7 +183,7 @@ TEST(TargetMap, SumsTheSharesOfABox) {
   EXPECT_NEAR(map.sum({14, 10, 12, 18}), 6.0 * 18.0, 1.0);   // half of it
   EXPECT_NEAR(map.sum({14.5, 10, 12, 18}), 6.5 * 18.0, 1.0); // by area
   EXPECT_EQ(map.sum({200, 200, 12, 18}), 0.0);
-  const auto peaks = colorPeaks(map, 12.0, 18.0, 3, 50.0);
+  const auto peaks = findColorPeaks(map, 12.0, 18.0, 3, 50.0);
   ASSERT_FALSE(peaks.empty());
   EXPECT_LT((peaks.front() - Eigen::Vector2d(26.0, 19.0)).norm(), 4.3); // on a grid of 3 px
 }

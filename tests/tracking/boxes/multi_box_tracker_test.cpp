@@ -57,7 +57,7 @@ std::optional<BoxEstimate> boxOf(const Tracker& tracker, std::size_t track) {
 }
 
 bool isHeldBy(const Tracker& tracker, std::size_t track) {
-  return isHeld(tracker.estimate(track));
+  return isConfirmed(tracker.estimate(track));
 }
 
 /// What a filter of its own makes of the images of the camera.
@@ -99,13 +99,13 @@ TEST_P(MultiBoxTrackerTest, EachTargetIsFollowedFromTheFrameOfItsBoxOn) {
   EXPECT_EQ(belief->box, expected.box);
   EXPECT_EQ(belief->similarity, expected.similarity);
   EXPECT_EQ(capability<BoxTracking>(*tracker)->boxParticles(1, 50).centers.rows(), 50);
-  EXPECT_EQ(isHeldBy(*tracker, 1), expected.visible);
+  EXPECT_EQ(isHeldBy(*tracker, 1), expected.isVisible);
 }
 
 // What is drawn in 3D is drawn of estimates with a position.
 TEST_P(MultiBoxTrackerTest, TheColorsOfTheGivenBoxAreKept) {
   const auto tracker = startedTracker(GetParam(), {boxed("patch", 2)});
-  const auto* const colors = capability<ReferenceColors>(std::as_const(*tracker));
+  const auto* const colors = capability<ReferenceColorReporting>(std::as_const(*tracker));
   ASSERT_NE(colors, nullptr);
   go(*tracker, 0, 1);
   EXPECT_TRUE(colors->referenceHistogram(0).empty()); // it has no box yet
@@ -120,7 +120,7 @@ TEST_P(MultiBoxTrackerTest, NothingIsKnownInSpace) {
   auto tracker = startedTracker(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 3);
   EXPECT_EQ(capability<ParticleCloud>(*tracker), nullptr);
-  EXPECT_EQ(capability<CameraCalibrated>(*tracker), nullptr);
+  EXPECT_EQ(capability<RigConfigurable>(*tracker), nullptr);
   EXPECT_FALSE(positionOf(tracker->estimate(0)));
 }
 

@@ -48,10 +48,10 @@ TEST(SugandiTracker, KeepsTheSizeOfTheBoxAndSaysHowSureItIs) {
   EXPECT_EQ(estimate.box.height, scene.side);
   EXPECT_EQ(estimate.particleCount, 100);
   EXPECT_GT(estimate.similarity, 0.9);
-  EXPECT_GT(estimate.spread, 0.0);
+  EXPECT_GT(estimate.spreadPixels, 0.0);
   EXPECT_GE(estimate.effectiveSampleSize, 1.0);
   EXPECT_LE(estimate.effectiveSampleSize, 100.0);
-  EXPECT_TRUE(estimate.visible);
+  EXPECT_TRUE(estimate.isVisible);
   Eigen::ArrayXXd centers;
   Eigen::ArrayXd weights;
   tracker->copyParticles(1000, centers, weights);
@@ -75,7 +75,8 @@ TEST(SugandiTracker, StaysAtRestWhenItStartsAtRest) {
   const BoxEstimate estimate = tracker->step(imageWithoutTheTarget(scene), team);
   EXPECT_NEAR(estimate.box.center().x(), scene.box(0).center().x(), 0.5);
   EXPECT_NEAR(estimate.box.center().y(), scene.box(0).center().y(), 0.5);
-  EXPECT_NEAR(estimate.spread, 10.0 * std::sqrt(2.0), 0.5); // of a Gaussian with 10 px per axis
+  EXPECT_NEAR(estimate.spreadPixels, 10.0 * std::sqrt(2.0),
+              0.5); // of a Gaussian with 10 px per axis
   EXPECT_NEAR(estimate.effectiveSampleSize, 10000.0, 1e-6);
 }
 
@@ -99,7 +100,8 @@ TEST(SugandiTracker, MovesAsEquationFourSays) {
   EXPECT_NEAR(moved.box.center().x(), expected.x(), 1.0);
   EXPECT_NEAR(moved.box.center().y(), expected.y(), 1.0);
   // Var(2 x_k + w) = 4 Var(x_k) + 100 px² per axis; resampling loses a little of Var(x_k).
-  EXPECT_NEAR(moved.spread, std::sqrt(4.0 * seen.spread * seen.spread + 200.0), 1.0);
+  EXPECT_NEAR(moved.spreadPixels, std::sqrt(4.0 * seen.spreadPixels * seen.spreadPixels + 200.0),
+              1.0);
 }
 
 TEST(SugandiTracker, SameSeedSameBitsForAnyNumberOfThreads) {

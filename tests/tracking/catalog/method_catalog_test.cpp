@@ -18,9 +18,9 @@ TEST(MethodCatalog, EachMethodIsFoundByItsOwnName) {
   for (const Method& method : methods()) {
     EXPECT_TRUE(names.insert(method.name).second) << method.name << " twice";
     EXPECT_EQ(findMethod(method.name), &method);
-    EXPECT_FALSE(method.text.title.empty() || method.text.sentence.empty()) << method.name;
-    EXPECT_EQ(methodSummary(method.name), method.text.sentence);
-    EXPECT_EQ(methodPage(method.name), method.text.manualPage);
+    EXPECT_FALSE(method.text.title.empty() || method.text.summary.empty()) << method.name;
+    EXPECT_EQ(methodSummary(method.name), method.text.summary);
+    EXPECT_EQ(methodManualPage(method.name), method.text.manualPage);
     EXPECT_TRUE(std::filesystem::exists(pages / method.text.manualPage)) << method.name;
     EXPECT_FALSE(headingOf(method).empty()) << method.name;
     EXPECT_FALSE(methodParameters(method.name).empty()) << method.name;
@@ -37,12 +37,12 @@ TEST(MethodCatalog, EachMethodIsFoundByItsOwnName) {
 TEST(MethodCatalog, TheDefaultComesFirst) {
   EXPECT_EQ(defaultMethod(), "dewpoint");
   EXPECT_EQ(methods().front().name, defaultMethod());
-  EXPECT_EQ(methodPage("condensation"), methods().front().text.manualPage);
+  EXPECT_EQ(methodManualPage("condensation"), methods().front().text.manualPage);
   EXPECT_EQ(methodFamily("condensation").targetSource, methods().front().family.targetSource);
 }
 
 TEST(MethodCatalog, PagesOfSeveralMethodsAreListedOnce) {
-  const auto pages = methodPages();
+  const auto pages = methodManualPages();
   EXPECT_EQ(pages.front(), methods().front().text.manualPage);
   EXPECT_EQ(std::set(pages.begin(), pages.end()).size(), pages.size());
   EXPECT_LT(pages.size(), methods().size());

@@ -15,7 +15,7 @@ TEST(MethodReference, SaysWhatIsDeclared) {
   declaration.description = "How far it moves.";
   EXPECT_EQ(parameterText(declaration), "0.03 m (0 to 10). How far it moves.");
   declaration.unit.clear();
-  declaration.derivedFromCameras = true;
+  declaration.isDerivedFromCameras = true;
   EXPECT_EQ(parameterText(declaration),
             "0.03 (0 to 10), unless given as the cameras show. How far it moves.");
 }

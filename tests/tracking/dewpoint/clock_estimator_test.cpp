@@ -46,7 +46,7 @@ template <class DelayOf> void showMotion(DrawnRun& run, double seconds, const De
 
 /// The delay of a camera relative to that of the first one.
 double relativeDelay(const DrawnRun& run, std::size_t camera) {
-  return run.estimateClocks()[camera].delay;
+  return run.estimateClocks()[camera].delaySeconds;
 }
 
 TEST(ClockEstimator, FindsDelaysWithinTwoMilliseconds) {
@@ -79,7 +79,7 @@ TEST(ClockEstimator, EstimatesNothingIfTimesAreExact) {
   DrawnRun run(rigAround(2), {redBall()}, {{"delay_spread", 0.0}});
   showMotion(run, 2.0, [](std::size_t k, double) { return k == 1 ? 0.02 : 0.0; });
   for (const ClockEstimate& clock : run.estimateClocks()) {
-    EXPECT_EQ(clock.delay, 0.0);
+    EXPECT_EQ(clock.delaySeconds, 0.0);
     EXPECT_EQ(clock.delaySigma, 0.0);
   }
 }

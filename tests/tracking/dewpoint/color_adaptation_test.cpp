@@ -51,7 +51,7 @@ TEST(ColorAdaptation, FollowsTheLightInEachCamera) {
   for (int frame = 0; frame < kFrames; ++frame) {
     tracker->beginFrame(framesAt(rig, frame));
     tracker->iterate(team);
-    ASSERT_TRUE(sphereOf(*tracker).valid) << frame;
+    ASSERT_TRUE(sphereOf(*tracker).isValid) << frame;
   }
   const auto& colors = sphereOf(*tracker).colors;
   ASSERT_EQ(colors.size(), 2U);

@@ -39,7 +39,7 @@ TEST(DewpointDistractors, APosterOfItsColorIsNotTheTarget) {
     const Eigen::Vector3d place =
         drawn::kMiddle + Eigen::Vector3d(-0.15 + 0.0035 * std::max(0, frame - 25), 0.0, 0.0);
     const SphereEstimate& estimate = run.showSet(beforePoster(run.rig(), place, frame));
-    EXPECT_TRUE(estimate.valid) << frame;
+    EXPECT_TRUE(estimate.isValid) << frame;
     EXPECT_LT((estimate.mean - place).norm(), 0.02) << frame;
   }
 }
@@ -66,13 +66,13 @@ TEST(DewpointDistractors, OfTwoBallsAlikeTheTargetIsAmbiguousUntilSomebodySaysWh
   DrawnRun run(rigAround(2), {redBall()});
   for (int frame = 0; frame < 30; ++frame) {
     const SphereEstimate estimate = run.show({Ball{one}, Ball{other}});
-    EXPECT_TRUE(frame < 2 || estimate.ambiguous) << frame;
+    EXPECT_TRUE(frame < 2 || estimate.isAmbiguous) << frame;
   }
   ThreadTeam team(1);
   run.tracker().correctPosition(0, {other, 1e-4 * Eigen::Matrix3d::Identity()}, team);
   for (int frame = 30; frame < 60; ++frame) {
     const SphereEstimate estimate = run.show({Ball{one}, Ball{other}});
-    EXPECT_FALSE(estimate.ambiguous) << frame;
+    EXPECT_FALSE(estimate.isAmbiguous) << frame;
     EXPECT_LT((estimate.mean - other).norm(), 5e-3) << frame;
   }
 }
@@ -83,15 +83,15 @@ TEST(DewpointDistractors, ABallAloneIsNotAmbiguous) {
   };
   DrawnRun run(rigAround(2), {redBall()});
   for (int frame = 0; frame < 30; ++frame) {
-    EXPECT_FALSE(run.show({Ball{place(frame)}}).ambiguous) << frame;
+    EXPECT_FALSE(run.show({Ball{place(frame)}}).isAmbiguous) << frame;
   }
 }
 
 // A run that goes back is a copy: it must forget empty places in the same frame.
 TEST(DewpointDistractors, ACopyKnowsForHowLongATargetWasNotFound) {
   TrackedObjects objects({redBall()}, rigAround(2));
-  objects[0].unseenSeconds = 3.0;
-  EXPECT_EQ(TrackedObjects(objects)[0].unseenSeconds, 3.0);
+  objects[0].secondsSinceTracked = 3.0;
+  EXPECT_EQ(TrackedObjects(objects)[0].secondsSinceTracked, 3.0);
 }
 
 } // namespace

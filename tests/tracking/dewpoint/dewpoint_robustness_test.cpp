@@ -65,7 +65,7 @@ TEST(DewpointRobustness, SurvivesFramesOfNoUse) {
       EXPECT_TRUE(isFinite(run.showSet(spoiled ? spoiledFrames()[kind](set) : set)))
           << "kind " << kind << ", frame " << frame;
     }
-    EXPECT_TRUE(run.estimate().valid) << kind;
+    EXPECT_TRUE(run.estimate().isValid) << kind;
     EXPECT_LT((run.estimate().mean - moving(29)).norm(), 5e-3) << kind;
   }
 }
@@ -85,7 +85,7 @@ TEST(DewpointRobustness, FollowsTheTargetThroughFadingLight) {
       set->frames[camera] = dimmed;
     }
     const SphereEstimate& estimate = run.showSet(set);
-    EXPECT_TRUE(estimate.valid) << frame;
+    EXPECT_TRUE(estimate.isValid) << frame;
     EXPECT_LT((estimate.mean - place).norm(), 3e-3) << frame; // a twelfth of the radius
   }
 }
@@ -109,14 +109,14 @@ TEST(DewpointRobustness, WithoutSightATargetIsDeclaredWhileItCanBeRight) {
     const SphereEstimate& estimate = run.showSet(set);
     const double error = (estimate.mean - place).norm();
     if (!black) {
-      EXPECT_TRUE(estimate.valid) << frame;
+      EXPECT_TRUE(estimate.isValid) << frame;
       EXPECT_LT(error, 2e-3) << frame;
       continue;
     }
     EXPECT_LE(estimate.existenceProbability, frame == 60 ? 1.0 : existenceProbability) << frame;
     existenceProbability = estimate.existenceProbability;
-    EXPECT_TRUE(frame > 63 || estimate.valid) << frame; // a tenth of a second is bridged
-    EXPECT_TRUE(!estimate.valid || error < 0.05) << frame << ": " << error;
+    EXPECT_TRUE(frame > 63 || estimate.isValid) << frame; // a tenth of a second is bridged
+    EXPECT_TRUE(!estimate.isValid || error < 0.05) << frame << ": " << error;
   }
   EXPECT_LT(existenceProbability, 0.2);
 }
@@ -129,8 +129,8 @@ TEST(DewpointRobustness, NothingButFramesOfNoUse) {
       EXPECT_TRUE(isFinite(run.estimate(0))) << kind;
       EXPECT_TRUE(isFinite(run.estimate(1))) << kind;
     }
-    EXPECT_FALSE(run.estimate(0).valid) << kind;
-    EXPECT_FALSE(run.estimate(1).valid) << kind;
+    EXPECT_FALSE(run.estimate(0).isValid) << kind;
+    EXPECT_FALSE(run.estimate(1).isValid) << kind;
   }
 }
 
@@ -153,7 +153,7 @@ TEST(DewpointRobustness, SurvivesImagesOfNothingButTheColor) {
         isFinite(run.showSet(covered ? allRed(run.rig(), frame)
                                      : drawn::framesOf(run.rig(), {Ball{moving(frame)}}, frame))));
   }
-  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_TRUE(run.estimate().isValid);
   EXPECT_LT((run.estimate().mean - moving(29)).norm(), 5e-3);
 }
 
@@ -161,8 +161,8 @@ TEST(DewpointRobustness, AnImageOfNothingButTheColorHoldsNothing) {
   DrawnRun run(rigAround(2), {redBall(), redBall(0.0)});
   for (int frame = 0; frame < 10; ++frame) {
     run.showSet(allRed(run.rig(), frame));
-    EXPECT_FALSE(run.estimate(0).valid) << frame;
-    EXPECT_FALSE(run.estimate(1).valid) << frame;
+    EXPECT_FALSE(run.estimate(0).isValid) << frame;
+    EXPECT_FALSE(run.estimate(1).isValid) << frame;
   }
 }
 
@@ -174,7 +174,7 @@ TEST(DewpointRobustness, NoTargetsAndNoCameras) {
   EXPECT_EQ(none.tracker().trackCount(), 0U);
   DrawnRun blind(CameraRig{}, {redBall()});
   for (int frame = 0; frame < 5; ++frame) {
-    EXPECT_FALSE(blind.show({}).valid);
+    EXPECT_FALSE(blind.show({}).isValid);
     EXPECT_TRUE(isFinite(blind.estimate()));
   }
 }
@@ -197,7 +197,7 @@ std::vector<double> bitsOf(int threads, std::uint64_t seed) {
       all.insert(all.end(), e.covariance.data(), e.covariance.data() + 9);
       all.insert(all.end(),
                  {e.existenceProbability, e.effectiveSampleSize, e.radius, double(e.particleCount),
-                  double(e.seeingCameraCount), double(e.valid)});
+                  double(e.seeingCameraCount), double(e.isValid)});
     }
   }
   return all;
@@ -221,7 +221,7 @@ TEST(DewpointRobustness, RestartRepeatsTheRun) {
   };
   const auto first = pass();
   run.tracker().restart(5);
-  EXPECT_FALSE(run.estimate().valid);
+  EXPECT_FALSE(run.estimate().isValid);
   EXPECT_EQ(pass(), first);
   run.tracker().restart(6);
   EXPECT_NE(pass(), first);
@@ -242,7 +242,7 @@ TEST(DewpointRobustness, ATimeBudgetReducesTheParticles) {
   }
   EXPECT_LE(run.estimate().particleCount, 100);
   EXPECT_GE(run.estimate().particleCount, 10);
-  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_TRUE(run.estimate().isValid);
   EXPECT_LT((run.estimate().mean - moving(19)).norm(), 10e-3);
   run.tracker().configure(
       drawn::parametersOf("dewpoint", {{"kld_error", 0.0}, {"particles", 4000}}));
@@ -263,7 +263,7 @@ TEST(DewpointRobustness, AThingALittleSmallerIsNotTakenForTheBall) {
   for (int frame = 0; frame < 5; ++frame) {
     run.show({Ball{ball}, smaller});
   }
-  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_TRUE(run.estimate().isValid);
   EXPECT_LT((run.estimate().mean - ball).norm(), 5e-3);
 }
 
@@ -275,12 +275,12 @@ TEST(DewpointRobustness, ATargetIsFoundWithoutTimeAsWell) {
   for (int frame = 0; frame < 12; ++frame) {
     run.show({Ball{drawn::kMiddle}});
   }
-  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_TRUE(run.estimate().isValid);
   const Eigen::Vector3d elsewhere = drawn::kMiddle + Eigen::Vector3d(0.2, 0.1, 0.0);
   for (int frame = 0; frame < 24; ++frame) {
     run.show({Ball{elsewhere}});
   }
-  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_TRUE(run.estimate().isValid);
   EXPECT_LT((run.estimate().mean - elsewhere).norm(), 10e-3);
 }
 
@@ -302,7 +302,7 @@ TEST(DewpointRobustness, DistractorsAreFoundWithinABudget) {
   for (int frame = 0; frame < 80; ++frame) {
     run.show({Ball{passing(frame)}, Ball{other}});
   }
-  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_TRUE(run.estimate().isValid);
   EXPECT_LT((run.estimate().mean - passing(79)).norm(), 10e-3);
 }
 
@@ -312,7 +312,7 @@ int particlesWhenSure(drawn::Changes changes) {
   for (int frame = 0; frame < 10; ++frame) {
     run.show({Ball{moving(frame)}});
   }
-  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_TRUE(run.estimate().isValid);
   EXPECT_LT((run.estimate().mean - moving(9)).norm(), 5e-3);
   return run.estimate().particleCount;
 }
@@ -375,7 +375,7 @@ TEST(DewpointRobustness, SeekingBackwardsAndFarForwards) {
       run.showSet(drawn::framesOf(run.rig(), {Ball{truth}}, frame));
       EXPECT_TRUE(isFinite(run.estimate()));
     }
-    EXPECT_TRUE(run.estimate().valid) << seek;
+    EXPECT_TRUE(run.estimate().isValid) << seek;
     EXPECT_LT((run.estimate().mean - moving((seek + 2) % 45)).norm(), 6e-3) << seek;
   }
 }
@@ -385,7 +385,7 @@ TEST(DewpointRobustness, TheSameFrameTimeAgain) {
   for (int frame = 0; frame < 10; ++frame) {
     run.showSet(drawn::framesOf(run.rig(), {Ball{moving(0)}}, 4));
   }
-  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_TRUE(run.estimate().isValid);
   EXPECT_LT((run.estimate().mean - moving(0)).norm(), 3e-3);
 }
 

@@ -36,7 +36,7 @@ void expectIdentitiesKept(const CameraRig& rig, const Paths& paths, int settled,
     }
     EXPECT_LT(distanceTo(run.estimate(0), balls[first]), tolerance) << frame;
     EXPECT_LT(distanceTo(run.estimate(1), balls[1 - first]), tolerance) << frame;
-    EXPECT_TRUE(run.estimate(0).valid && run.estimate(1).valid) << frame;
+    EXPECT_TRUE(run.estimate(0).isValid && run.estimate(1).isValid) << frame;
   }
 }
 
@@ -65,8 +65,8 @@ TEST(DewpointTargets, NeverTwoOnOneBall) {
   for (int frame = 0; frame < 30; ++frame) {
     run.show({Ball{drawn::kMiddle}});
     if (frame >= 3) {
-      EXPECT_NE(run.estimate(0).valid, run.estimate(1).valid) << frame;
-      const SphereEstimate& seen = run.estimate(run.estimate(0).valid ? 0 : 1);
+      EXPECT_NE(run.estimate(0).isValid, run.estimate(1).isValid) << frame;
+      const SphereEstimate& seen = run.estimate(run.estimate(0).isValid ? 0 : 1);
       EXPECT_LT((seen.mean - drawn::kMiddle).norm(), 3e-3) << frame;
     }
   }
@@ -82,16 +82,16 @@ TEST(DewpointTargets, EachColorItsOwn) {
   for (int frame = 0; frame < 5; ++frame) {
     run.show({red, other});
   }
-  EXPECT_TRUE(run.estimate(0).valid);
+  EXPECT_TRUE(run.estimate(0).isValid);
   EXPECT_LT(distanceTo(run.estimate(0), red), 4e-3);
-  EXPECT_TRUE(run.estimate(1).valid);
+  EXPECT_TRUE(run.estimate(1).isValid);
   EXPECT_LT(distanceTo(run.estimate(1), other), 4e-3);
   // One vanishes, the other stays.
   for (int frame = 0; frame < 3; ++frame) {
     run.show({red});
   }
-  EXPECT_TRUE(run.estimate(0).valid);
-  EXPECT_FALSE(run.estimate(1).valid);
+  EXPECT_TRUE(run.estimate(0).isValid);
+  EXPECT_FALSE(run.estimate(1).isValid);
 }
 
 TEST(DewpointTargets, FiveIdenticalOnesAreAllFound) {
@@ -106,7 +106,7 @@ TEST(DewpointTargets, FiveIdenticalOnesAreAllFound) {
   for (const Ball& ball : balls) {
     int on = 0;
     for (std::size_t target = 0; target < 5; ++target) {
-      on += run.estimate(target).valid && distanceTo(run.estimate(target), ball) < 5e-3 ? 1 : 0;
+      on += run.estimate(target).isValid && distanceTo(run.estimate(target), ball) < 5e-3 ? 1 : 0;
     }
     EXPECT_EQ(on, 1) << ball.center.transpose();
   }

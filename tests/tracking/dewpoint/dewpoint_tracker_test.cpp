@@ -44,11 +44,11 @@ TEST(DewpointTracker, ConvergesInTwoFramesFromAUniformStart) {
     const SphereEstimate& estimate = run.show({Ball{truth}});
     EXPECT_LT(errorOf(estimate, truth), kClose) << seed;
     EXPECT_LT((estimate.best - truth).norm(), 0.01) << seed;
-    EXPECT_TRUE(estimate.valid) << seed;
+    EXPECT_TRUE(estimate.isValid) << seed;
     EXPECT_GT(estimate.existenceProbability, 0.9) << seed;
     EXPECT_EQ(estimate.seeingCameraCount, 2) << seed;
     EXPECT_NEAR(estimate.radius, 0.035, 1e-6) << seed;
-    EXPECT_FALSE(estimate.degenerate) << seed;
+    EXPECT_FALSE(estimate.isDegenerate) << seed;
   }
 }
 
@@ -58,7 +58,7 @@ TEST(DewpointTracker, StartOutsideTheBoxIsFoundAsWell) {
   for (int frame = 0; frame < 5; ++frame) {
     run.show({Ball{drawn::kMiddle}});
   }
-  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_TRUE(run.estimate().isValid);
   EXPECT_LT(errorOf(run.estimate(), drawn::kMiddle), kClose);
 }
 
@@ -72,13 +72,13 @@ TEST(DewpointTracker, SearchesTheVolumeOfInterestAlone) {
   run.tracker().setVolumeOfInterest(volume);
   for (int frame = 0; frame < 6; ++frame) {
     const SphereEstimate estimate = run.show({Ball{outside}});
-    EXPECT_FALSE(estimate.valid) << frame;
+    EXPECT_FALSE(estimate.isValid) << frame;
     EXPECT_TRUE(volume.contains(estimate.mean, 1e-9)) << frame;
   }
   for (int frame = 0; frame < 10; ++frame) {
     run.show({Ball{outside}, Ball{inside}});
   }
-  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_TRUE(run.estimate().isValid);
   EXPECT_LT(errorOf(run.estimate(), inside), 2.0 * kClose);
 }
 
@@ -88,7 +88,7 @@ TEST(DewpointTracker, FollowsMotion) {
   for (int frame = 0; frame < 90; ++frame) {
     const SphereEstimate& estimate = run.show({Ball{onCircle(frame)}});
     if (frame >= 30) {
-      EXPECT_TRUE(estimate.valid) << frame;
+      EXPECT_TRUE(estimate.isValid) << frame;
       EXPECT_LT(errorOf(estimate, onCircle(frame)), 2.0 * kClose) << frame;
       squares += errorOf(estimate, onCircle(frame)) * errorOf(estimate, onCircle(frame)) / 60.0;
     }
@@ -105,7 +105,7 @@ TEST(DewpointTracker, RecoversAfterAJump) {
       const Eigen::Vector3d truth = drawn::kMiddle + side * half;
       run.show({Ball{truth}});
       run.show({Ball{truth}});
-      EXPECT_TRUE(run.estimate().valid) << jump;
+      EXPECT_TRUE(run.estimate().isValid) << jump;
       EXPECT_LT(errorOf(run.estimate(), truth), 2.0 * kClose) << jump;
       for (int frame = 0; frame < 5; ++frame) {
         run.show({Ball{truth}});
@@ -117,19 +117,19 @@ TEST(DewpointTracker, RecoversAfterAJump) {
 TEST(DewpointTracker, LossIsDeclaredWithinThreeFramesAndItsReturnToo) {
   DrawnRun run(rigAround(2), {redBall()});
   followCircle(run, 30);
-  ASSERT_TRUE(run.estimate().valid);
+  ASSERT_TRUE(run.estimate().isValid);
   for (int frame = 0; frame < 3; ++frame) {
     run.show({});
   }
-  EXPECT_FALSE(run.estimate().valid);
+  EXPECT_FALSE(run.estimate().isValid);
   EXPECT_LT(run.estimate().existenceProbability, 0.5);
   for (int frame = 0; frame < 30; ++frame) {
-    EXPECT_FALSE(run.show({}).valid) << frame;
+    EXPECT_FALSE(run.show({}).isValid) << frame;
   }
   for (int frame = 0; frame < 3; ++frame) {
     run.show({Ball{onCircle(0)}});
   }
-  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_TRUE(run.estimate().isValid);
   EXPECT_LT(errorOf(run.estimate(), onCircle(0)), kClose);
 }
 
@@ -137,7 +137,7 @@ TEST(DewpointTracker, AnEmptySceneHoldsNothing) {
   DrawnRun run(rigAround(3), {redBall()});
   for (int frame = 0; frame < 40; ++frame) {
     const SphereEstimate& estimate = run.show({});
-    EXPECT_FALSE(estimate.valid) << frame;
+    EXPECT_FALSE(estimate.isValid) << frame;
     EXPECT_LT(estimate.existenceProbability, 0.1) << frame;
     EXPECT_TRUE(isFinite(estimate)) << frame;
   }
@@ -146,8 +146,8 @@ TEST(DewpointTracker, AnEmptySceneHoldsNothing) {
 TEST(DewpointTracker, NothingIsValidBeforeTheFirstFrame) {
   DrawnRun run(rigAround(2), {redBall(), redBall()});
   ASSERT_EQ(run.tracker().trackCount(), 2U);
-  EXPECT_FALSE(run.estimate(0).valid);
-  EXPECT_FALSE(run.estimate(1).valid);
+  EXPECT_FALSE(run.estimate(0).isValid);
+  EXPECT_FALSE(run.estimate(1).isValid);
 }
 
 // Between frames the estimate moves by what the ball does (nothing) and half a millimeter of
@@ -165,7 +165,7 @@ TEST(DewpointTracker, ACameraThatFailsOrReturnsMakesNoStep) {
           frame < 3 ? std::vector<std::size_t>{failing} : std::vector<std::size_t>{};
       const SphereEstimate& estimate = run.show({Ball{truth}}, blind);
       EXPECT_LT((estimate.mean - before).norm(), 1e-3) << failing << ", frame " << frame;
-      EXPECT_TRUE(estimate.valid);
+      EXPECT_TRUE(estimate.isValid);
       EXPECT_EQ(estimate.seeingCameraCount, frame < 3 ? 2 : 3);
     }
   }
@@ -185,7 +185,7 @@ TEST(DewpointTracker, OneOfTwoCamerasBlackForHalfASecond) {
   }
   run.show({Ball{onCircle(75)}});
   run.show({Ball{onCircle(76)}});
-  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_TRUE(run.estimate().isValid);
   EXPECT_LT(errorOf(run.estimate(), onCircle(76)), 2.0 * kClose);
 }
 
@@ -200,7 +200,7 @@ TEST(DewpointTracker, ADistractorDoesNotCaptureIt) {
     const SphereEstimate& estimate = run.show(balls);
     if (frame >= 5) {
       EXPECT_LT(errorOf(estimate, onCircle(frame)), 3.0 * kClose) << frame;
-      EXPECT_TRUE(estimate.valid) << frame;
+      EXPECT_TRUE(estimate.isValid) << frame;
     }
   }
 }
@@ -219,7 +219,7 @@ TEST(DewpointTracker, HalfHiddenInOneCamera) {
     covered->image(cv::Rect(0, 60, static_cast<int>(column), 120)) = cv::Scalar(200, 60, 30);
     frames->frames[0] = covered;
     const SphereEstimate& estimate = run.showSet(frames);
-    EXPECT_TRUE(estimate.valid) << frame;
+    EXPECT_TRUE(estimate.isValid) << frame;
     EXPECT_LT(errorOf(estimate, truth), 10e-3) << frame;
   }
 }
@@ -230,7 +230,7 @@ TEST(DewpointTracker, UnknownRadiusIsEstimated) {
     for (int frame = 0; frame < 10; ++frame) {
       run.show({Ball{onCircle(frame), radius}});
     }
-    EXPECT_TRUE(run.estimate().valid) << radius;
+    EXPECT_TRUE(run.estimate().isValid) << radius;
     EXPECT_NEAR(run.estimate().radius, radius, 0.05 * radius);
     EXPECT_LT(errorOf(run.estimate(), onCircle(9)), 2.0 * kClose) << radius;
   }
@@ -247,7 +247,7 @@ TEST(DewpointTracker, ARadiusThatIsGivenWronglyIsCorrected) {
     for (int frame = 0; frame < 10; ++frame) {
       run.show({Ball{onCircle(frame)}});
     }
-    EXPECT_TRUE(run.estimate().valid) << factor;
+    EXPECT_TRUE(run.estimate().isValid) << factor;
     EXPECT_NEAR(run.estimate().radius, 0.035, 0.11 * 0.035) << factor;
     EXPECT_LT(errorOf(run.estimate(), onCircle(9)), 2.0 * kClose) << factor;
   }
@@ -261,10 +261,11 @@ TEST(DewpointTracker, NothingIsBornInOneCamerasViewOfTwo) {
   for (int frame = 0; frame < 15; ++frame) {
     one.show({Ball{aside}});
     two.show({Ball{aside}});
-    EXPECT_FALSE(two.estimate().valid) << frame;
+    EXPECT_FALSE(two.estimate().isValid) << frame;
     EXPECT_LT(two.estimate().existenceProbability, 0.5) << frame;
   }
-  EXPECT_TRUE(one.estimate().valid); // a camera that is alone is believed: its image shows the ball
+  EXPECT_TRUE(
+      one.estimate().isValid); // a camera that is alone is believed: its image shows the ball
 }
 
 TEST(DewpointTracker, StatesTheCalibrationError) {
@@ -310,7 +311,7 @@ TEST(DewpointTracker, HowFarAColorReachesStaysWhenAParameterChanges) {
   for (int frame = 0; frame < 3; ++frame) {
     run.show({Ball{drawn::kMiddle}});
   }
-  ASSERT_TRUE(run.estimate().valid);
+  ASSERT_TRUE(run.estimate().isValid);
   const std::vector<ColorRanges> reached = run.estimate().colors;
   ASSERT_FALSE(reached.empty());
   run.tracker().configure(drawn::parametersOf("dewpoint", {{"particles", 2000}}));
@@ -363,7 +364,7 @@ TEST(DewpointTracker, ParticlesGatherAroundTheTarget) {
 TEST(DewpointTracker, NewColorsActAtTheNextIteration) {
   DrawnRun run(rigAround(2), {redBall()});
   followCircle(run, 10);
-  ASSERT_TRUE(run.estimate().valid);
+  ASSERT_TRUE(run.estimate().isValid);
   Target blue = redBall();
   blue.color.hueMin = 220.0;
   blue.color.hueMax = 260.0;
@@ -372,7 +373,7 @@ TEST(DewpointTracker, NewColorsActAtTheNextIteration) {
     run.show({Ball{onCircle(frame)}});
   }
   EXPECT_EQ(run.estimate().seeingCameraCount, 0);
-  EXPECT_FALSE(run.estimate().valid);
+  EXPECT_FALSE(run.estimate().isValid);
 }
 
 } // namespace

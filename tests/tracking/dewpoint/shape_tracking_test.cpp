@@ -79,7 +79,7 @@ TEST(ShapeTracking, FollowsAStickThatTumbles) {
       if (shape == TargetShape::Auto && frame < 10) {
         continue; // what it is shows within a third of a second
       }
-      ASSERT_TRUE(estimate.valid) << frame;
+      ASSERT_TRUE(estimate.isValid) << frame;
       ASSERT_TRUE(estimate.extent) << frame;
       EXPECT_LT((estimate.mean - stickAt(frame).center).norm(), 0.01) << frame;
       EXPECT_GT(estimate.existenceProbability, 0.9) << frame;
@@ -96,7 +96,7 @@ TEST(ShapeTracking, ABallStaysABall) {
   const Ellipsoid ball = drawn::ellipsoid(drawn::kMiddle, {0.035, 0.035, 0.035});
   for (int frame = 0; frame < 20; ++frame) {
     const SphereEstimate estimate = run.show({ball});
-    ASSERT_TRUE(estimate.valid) << frame;
+    ASSERT_TRUE(estimate.isValid) << frame;
     EXPECT_FALSE(estimate.extent) << frame;
     EXPECT_LT((estimate.mean - ball.center).norm(), 0.002) << frame;
   }
@@ -110,7 +110,7 @@ TEST(ShapeTracking, ABallMayBeTakenForAnything) {
   for (int frame = 0; frame < 20; ++frame) {
     estimate = run.show({ball});
   }
-  ASSERT_TRUE(estimate.valid && estimate.extent);
+  ASSERT_TRUE(estimate.isValid && estimate.extent);
   EXPECT_LT((estimate.mean - ball.center).norm(), 0.002);
   EXPECT_NEAR(estimate.radius, 0.035, 0.0035);
 }
@@ -124,13 +124,13 @@ TEST(ShapeTracking, WhatHasGoneIsNotDeclared) {
   for (int frame = 0; frame < 5; ++frame) {
     estimate = run.show({});
   }
-  EXPECT_FALSE(estimate.valid);
+  EXPECT_FALSE(estimate.isValid);
   EXPECT_LT(estimate.existenceProbability, 0.05);
   // It is found again elsewhere.
   const Ellipsoid elsewhere =
       drawn::ellipsoid(drawn::kMiddle - Eigen::Vector3d(0.2, 0.1, 0.0), {0.1, 0.015, 0.015}, 1.0);
   estimate = run.show({elsewhere});
-  EXPECT_TRUE(estimate.valid);
+  EXPECT_TRUE(estimate.isValid);
   EXPECT_LT((estimate.mean - elsewhere.center).norm(), 0.01);
 }
 

@@ -56,7 +56,7 @@ inline FrameSetPtr draw(const CameraRig& rig, std::int64_t frame,
     cv::Mat image = backgroundImage();
     const SilhouetteProjector maker(camera);
     for (const Eigen::Vector2d& place : people) {
-      for (const cv::Rect& piece : maker.project(place, 0.0, kHeight).pieces) {
+      for (const cv::Rect& piece : maker.project(place, 0.0, kHeight).partRects) {
         image(piece & cv::Rect(0, 0, image.cols, image.rows)).setTo(cv::Scalar(190, 70, 40));
       }
     }

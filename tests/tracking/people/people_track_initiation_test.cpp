@@ -25,7 +25,7 @@ protected:
   }
   static PeopleSettings settings() {
     PeopleSettings settings;
-    settings.learningTime = 0.0;
+    settings.learningSeconds = 0.0;
     settings.area.halfSize = {2.0, 2.0};
     return settings;
   }
@@ -38,7 +38,7 @@ protected:
     for (const std::size_t camera : blind) {
       frames.frames[camera] = nullptr;
     }
-    cameras_.computeMasks(frames, {}, team_);
+    cameras_.computeForegroundMasks(frames, {}, team_);
     return births_.update(cameras_, explained_, taken, kBirthTime);
   }
   /// After how many frames with these people, the next one is 1, the first is born.

@@ -20,7 +20,7 @@ class StandingPeople : public PeopleTrackLifecycle {
 public:
   using PeopleTrackLifecycle::PeopleTrackLifecycle;
 
-  BodyCloud body(int) const override { return {}; }
+  BodyCloud bodyOf(int) const override { return {}; }
   std::unique_ptr<Tracker> clone() const override { return nullptr; }
   /// Moves people_ in every frame.
   std::function<void(std::vector<PersonEstimate>&)> move = [](auto&) {};
@@ -37,8 +37,8 @@ protected:
     bornOnes.clear();
     goneOnes.clear();
   }
-  std::size_t beliefBytes() const override { return 0; }
-  void update(ThreadTeam&) override { move(people_); }
+  std::size_t beliefMemoryBytes() const override { return 0; }
+  void updateBeliefs(ThreadTeam&) override { move(people_); }
   bool ignoresForegroundOfKnownPeople() const override { return masksAreShared; }
 };
 
@@ -116,7 +116,7 @@ TEST_F(PeopleLifeTest, WhoIsSeenAgainWinsBackTwiceAsFast) {
   EXPECT_EQ(person(0).seeingCameraCount, 4);
   step({kPlace});
   EXPECT_EQ(person(0).existenceProbability, 1.0);
-  EXPECT_NEAR(person(0).age, 1.0 / 30.0 + 5.0 / 15.0, kExact);
+  EXPECT_NEAR(person(0).ageSeconds, 1.0 / 30.0 + 5.0 / 15.0, kExact);
 }
 
 TEST_F(PeopleLifeTest, WithoutAnyImageNothingChanges) {
@@ -171,9 +171,9 @@ TEST_F(PeopleLifeTest, PeopleWithinAMeterInteract) {
   put({0.9, 0.0});
   put({0.0, -1.1});
   step({});
-  EXPECT_TRUE(person(0).interacting);
-  EXPECT_TRUE(person(1).interacting);
-  EXPECT_FALSE(person(2).interacting);
+  EXPECT_TRUE(person(0).isInteracting);
+  EXPECT_TRUE(person(1).isInteracting);
+  EXPECT_FALSE(person(2).isInteracting);
 }
 
 /// Two cameras as high as the middle of a body, looking along y and along -x.

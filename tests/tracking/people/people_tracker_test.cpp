@@ -33,7 +33,7 @@ FrameSetPtr drawPeople(const CameraRig& rig, std::int64_t frame,
     cv::Mat image = bodies::backgroundImage();
     const SilhouetteProjector maker(camera);
     for (const Person& person : people) {
-      for (const cv::Rect& piece : maker.project(person.place, 0.0, bodies::kHeight).pieces) {
+      for (const cv::Rect& piece : maker.project(person.place, 0.0, bodies::kHeight).partRects) {
         const cv::Rect body(piece.x + piece.width / 6, piece.y, piece.width - piece.width / 3,
                             piece.height);
         image(body & cv::Rect(0, 0, 320, 240)).setTo(person.color);
@@ -99,9 +99,9 @@ TEST_P(PeopleMethods, SeeSomebodyComeWalkAndGo) {
       EXPECT_EQ(tracker->people()[0].seeingCameraCount, 4);
     }
   }
-  const BodyCloud body = tracker->found().body(1);
+  const BodyCloud body = tracker->found().bodyOf(1);
   EXPECT_NEAR(body.weights.sum(), 1.0, 1e-9);
-  EXPECT_EQ(tracker->found().body(99).points.rows(), 0);
+  EXPECT_EQ(tracker->found().bodyOf(99).points.rows(), 0);
   for (; frame < 57; ++frame) { // 1 s
     tracker->step(drawPeople(rig, frame, {}), team);
   }
@@ -136,7 +136,7 @@ TEST_P(PeopleMethods, TakeAPersonPutThereByHand) {
   const CameraRig rig = room();
   PeopleRun run(GetParam(), {{"births", 0.0}});
   PeopleRun* const tracker = &run;
-  auto* const placing = capability<PersonPlacing>(run.tracker());
+  auto* const placing = capability<PersonEditing>(run.tracker());
   ASSERT_NE(placing, nullptr);
   // The background image is known: nothing is learned first.
   std::vector<cv::Mat> rooms;
@@ -144,7 +144,7 @@ TEST_P(PeopleMethods, TakeAPersonPutThereByHand) {
   for (const auto& frame : empty->frames) {
     rooms.push_back(frame->image);
   }
-  capability<BackgroundImageUsing>(run.tracker())->setBackgroundImages(rooms);
+  capability<BackgroundImageConfigurable>(run.tracker())->setBackgroundImages(rooms);
   run.tracker().restart(2);
   ThreadTeam team(1);
   EXPECT_EQ(placing->addPerson({0.4, 0.1, 0.85}), 1);
@@ -198,7 +198,7 @@ TEST_P(PeopleMethods, LiveWithoutSomeCamera) {
   ASSERT_EQ(tracker->people().size(), 1U);
   EXPECT_LT((tracker->people()[0].position.head<2>() - Eigen::Vector2d(0.2, 0.2)).norm(), 0.25);
   EXPECT_FALSE(tracker->found().cameraStates()[1].isUsable);
-  EXPECT_TRUE(tracker->found().foreground(1).empty());
+  EXPECT_TRUE(tracker->found().foregroundMask(1).empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PeopleMethods, testing::ValuesIn(methodNames(TargetSource::Images)),

@@ -18,8 +18,8 @@ Result<ExportTable> tableOf(const ExportOptions& options,
 TEST(ExportOptions, ChooseTargetsAndSpan) {
   ExportOptions options;
   options.targets = {"cap, red"};
-  options.from = RangeBound{0.1, false};
-  options.to = RangeBound{2.0, true};
+  options.rangeBegin = RangeBound{0.1, false};
+  options.rangeEnd = RangeBound{2.0, true};
   const auto table = tableOf(options);
   ASSERT_TRUE(table) << errorSentence(table.error());
   EXPECT_EQ(table->targets, std::vector<std::string>{"cap, red"});
@@ -38,12 +38,12 @@ TEST(ExportOptions, GapsAreLeftOrFilledAndMarked) {
   ASSERT_TRUE(table);
   EXPECT_EQ(table->gapCount(), 0U);
   const ExportCell& cell = table->cells[0][2];
-  EXPECT_TRUE(cell.filled);
+  EXPECT_TRUE(cell.isFilled);
   EXPECT_FALSE(cell.covariance) << "nobody knows how far it is off";
   EXPECT_NEAR(cell.position.x(), 0.2, 1e-12);
   EXPECT_NEAR(cell.position.z(), 5.0, 1e-12) << "1 + t² is a parabola";
-  EXPECT_FALSE(table->cells[0][1].filled);
-  options.longestGap = 0.15; // the gap's neighbors are 0.2 s apart
+  EXPECT_FALSE(table->cells[0][1].isFilled);
+  options.maxFilledGapSeconds = 0.15; // the gap's neighbors are 0.2 s apart
   EXPECT_EQ(tableOf(options)->gapCount(), 1U);
 }
 
@@ -65,7 +65,7 @@ TEST(ExportOptions, ResamplesAlongTheCubic) {
     // A ball in flight: the parabola is met exactly.
     EXPECT_LT((table->cells[0][row].position - position(table->times[row])).norm(), 1e-12);
     EXPECT_TRUE(table->cells[0][row].covariance);
-    EXPECT_FALSE(table->cells[0][row].filled);
+    EXPECT_FALSE(table->cells[0][row].isFilled);
   }
 }
 
@@ -104,7 +104,7 @@ TEST(ExportOptions, UnitsAndAxesTurnTheCovarianceToo) {
 
 TEST(ExportOptions, ChoosesAndNamesFormats) {
   for (const ExportFormat& format : exportFormats()) {
-    EXPECT_EQ((*exportFormat(format.id))->title, format.title);
+    EXPECT_EQ((*findExportFormat(format.id))->title, format.title);
     const auto preview = previewExport(exportExample(), exportAs(std::string(format.id)), "a");
     ASSERT_TRUE(preview) << format.id;
     EXPECT_NE(preview->unitsSentence.find("right-handed"), std::string::npos);
@@ -146,7 +146,7 @@ TEST(ExportRefuses, WhatCannotBeWritten) {
   options.targets = {"dog"};
   EXPECT_NE(errorSentence(wrong(options)).find("ball, cap, red"), std::string::npos);
   options = {};
-  options.from = RangeBound{99.0, false};
+  options.rangeBegin = RangeBound{99.0, false};
   EXPECT_EQ(wrong(options).field, "span");
   options = {};
   options.rowsPerSecond = 1e12;
@@ -174,7 +174,7 @@ TEST(ExportProgress, CanCancel) {
   const auto summary = exportTrajectory(exportExample(), exportAs("pvd"), folder / "a.pvd",
                                         [](double done) { return done < 0.8; });
   ASSERT_TRUE(summary);
-  EXPECT_TRUE(summary->canceled);
+  EXPECT_TRUE(summary->isCanceled);
   EXPECT_TRUE(std::filesystem::is_empty(folder / ".")); // neither a.pvd nor frames beside it
 }
 
@@ -188,7 +188,7 @@ TEST(ExportProgress, CancelingLeavesAnOlderExportWhole) {
   const auto summary = exportTrajectory(other, exportAs("pvd"), folder / "a.pvd",
                                         [](double done) { return done < 0.8; });
   ASSERT_TRUE(summary);
-  EXPECT_TRUE(summary->canceled);
+  EXPECT_TRUE(summary->isCanceled);
   EXPECT_EQ(bytesOf(folder / "a-frames/00000.vtp"), old);
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / ".")) {
     EXPECT_NE(entry.path().extension(), ".part") << entry.path();
@@ -200,13 +200,13 @@ TEST(ExportReplaces, OnlyWhatItMay) {
   std::filesystem::create_directory(folder / "a-frames");
   std::ofstream(folder / "a-frames/00001.vtp") << "old";
   ExportOptions options = exportAs("pvd");
-  options.overwrite = false;
+  options.replacesExisting = false;
   const auto asked = exportTrajectory(exportExample(), options, folder / "a.pvd");
   ASSERT_TRUE(asked);
   EXPECT_EQ(asked->existingFile, folder / "a-frames/00001.vtp");
   EXPECT_EQ(bytesOf(folder / "a-frames/00001.vtp"), "old");
   EXPECT_FALSE(std::filesystem::exists(folder / "a-frames/00000.vtp"));
-  options.overwrite = true;
+  options.replacesExisting = true;
   const auto done = exportTrajectory(exportExample(), options, folder / "a.pvd");
   ASSERT_TRUE(done);
   EXPECT_TRUE(done->existingFile.empty());

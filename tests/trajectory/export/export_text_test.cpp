@@ -53,14 +53,14 @@ TEST(ExportText, TheParticleOfHighestWeightGoesAlong) {
   EXPECT_NE(lines3d.find("Name=\"best\" NumberOfComponents=\"3\""), std::string::npos);
   // Between recorded frames, and after smoothing, there are no particles.
   ExportOptions smooth = exportAs("csv");
-  smooth.smooth = true;
+  smooth.usesSmoothedEstimates = true;
   EXPECT_EQ(exported(exampleWithBest(), smooth, "a.csv").find("best_x"), std::string::npos);
 }
 
 TEST(ExportText, WhatWasCorrectedIsMarked) {
   Trajectory trajectory = exportExample();
-  trajectory.samples[2].corrected = true; // the ball at frame 1
-  trajectory.samples[4].corrected = true; // at frame 2, which is a gap
+  trajectory.samples[2].isCorrected = true; // the ball at frame 1
+  trajectory.samples[4].isCorrected = true; // at frame 2, which is a gap
   ExportOptions options = exportAs("csv");
   options.targets = {"ball"};
   const std::string csv = exported(trajectory, options, "a.csv");
@@ -78,14 +78,14 @@ TEST(ExportText, WhatWasCorrectedIsMarked) {
   EXPECT_NE(exported(trajectory, exportAs("npz"), "a.npz").find("corrected.npy"),
             std::string::npos);
   EXPECT_EQ(exported(exportExample(), options, "a.csv").find("corrected"), std::string::npos);
-  options.smooth = true; // the marks stay
+  options.usesSmoothedEstimates = true; // the marks stay
   EXPECT_NE(exported(trajectory, options, "a.csv").find(",corrected\n"), std::string::npos);
 }
 
 TEST(ExportText, WhatIsAmbiguousIsMarked) {
   Trajectory trajectory = exportExample();
-  trajectory.samples[2].ambiguous = true; // the ball at frame 1
-  trajectory.samples[4].ambiguous = true; // at frame 2, which is a gap
+  trajectory.samples[2].isAmbiguous = true; // the ball at frame 1
+  trajectory.samples[4].isAmbiguous = true; // at frame 2, which is a gap
   ExportOptions options = exportAs("csv");
   options.targets = {"ball"};
   const std::string csv = exported(trajectory, options, "a.csv");
@@ -101,7 +101,7 @@ TEST(ExportText, WhatIsAmbiguousIsMarked) {
   EXPECT_NE(exported(trajectory, exportAs("npz"), "a.npz").find("ambiguous.npy"),
             std::string::npos);
   EXPECT_EQ(exported(exportExample(), options, "a.csv").find("ambiguous"), std::string::npos);
-  options.smooth = true; // the marks stay
+  options.usesSmoothedEstimates = true; // the marks stay
   EXPECT_NE(exported(trajectory, options, "a.csv").find(",ambiguous\n"), std::string::npos);
 }
 
@@ -146,7 +146,7 @@ TEST(ExportText, GapsAreReadByOurOwnReader) {
   ASSERT_TRUE(exportTrajectory(exportExample(), exportAs("csv"), folder / "a.csv"));
   const auto read = readExportSource(folder / "a.csv");
   ASSERT_TRUE(read) << errorSentence(read.error());
-  EXPECT_FALSE(read->samples[4].valid);
+  EXPECT_FALSE(read->samples[4].isValid);
   EXPECT_FALSE(read->samples[4].position.allFinite());
 }
 
@@ -167,8 +167,8 @@ TEST(ExportText, ACsvWithoutNotesBeginsWithItsColumnsAndIsReadTheSame) {
   for (std::size_t k = 0; k < 8; ++k) {
     EXPECT_EQ(with->samples[k].frame, without->samples[k].frame);
     EXPECT_EQ(with->samples[k].target, without->samples[k].target);
-    EXPECT_EQ(with->samples[k].valid, without->samples[k].valid);
-    if (with->samples[k].valid) {
+    EXPECT_EQ(with->samples[k].isValid, without->samples[k].isValid);
+    if (with->samples[k].isValid) {
       EXPECT_EQ(with->samples[k].position, without->samples[k].position);
       EXPECT_EQ(with->samples[k].covariance, without->samples[k].covariance);
     }

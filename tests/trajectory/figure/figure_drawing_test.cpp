@@ -35,7 +35,7 @@ template <class T> std::vector<T> itemsOf(const FigureDrawing& drawing) {
 
 TEST(FigureDrawing, HasFourPanelsAndALegendOnThePage) {
   const FigureDrawing drawing =
-      figureDrawing(tableOfOneTarget(), {"title", "time (s)", "from above"});
+      layOutFigure(tableOfOneTarget(), {"title", "time (s)", "from above"});
   EXPECT_EQ(itemsOf<FigureDrawing::PlotFrame>(drawing).size(), 4U);
   EXPECT_EQ(itemsOf<FigureDrawing::LegendKey>(drawing).size(), 1U);
   const Eigen::AlignedBox2d page(Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(1000.0, 707.0));
@@ -51,25 +51,25 @@ TEST(FigureDrawing, HasFourPanelsAndALegendOnThePage) {
 }
 
 TEST(FigureDrawing, CurvesLieInTheirFrames) {
-  const FigureDrawing drawing = figureDrawing(tableOfOneTarget(), {});
+  const FigureDrawing drawing = layOutFigure(tableOfOneTarget(), {});
   const auto curves = itemsOf<FigureDrawing::Curve>(drawing);
   ASSERT_EQ(curves.size(), 4U);
   // Over time x goes from 0 to 2: up by 2 of 2.2, the range with its margins.
   const FigureDrawing::Curve& x = curves[0];
   ASSERT_EQ(x.path.size(), 3U);
-  EXPECT_EQ(x.band.size(), 6U);
+  EXPECT_EQ(x.uncertaintyBand.size(), 6U);
   const Eigen::Vector2d moved = x.path.back() - x.path.front();
   EXPECT_NEAR(moved.x(), x.clipRectangle.sizes().x() / 1.1, 1e-9);
   EXPECT_NEAR(moved.y(), -x.clipRectangle.sizes().y() * 2.0 / 2.2, 1e-9);
   // From above a meter is as long along x as along y.
   const Eigen::Vector2d walked = curves[3].path.back() - curves[3].path.front();
   EXPECT_NEAR(-walked.y(), 2.0 * walked.x(), 1e-9);
-  EXPECT_TRUE(curves[3].band.empty());
+  EXPECT_TRUE(curves[3].uncertaintyBand.empty());
 }
 
 TEST(FigureDrawing, IsWrittenAsSvg) {
   const FigureDrawing drawing =
-      figureDrawing(tableOfOneTarget(), {"title", "time (s)", "from above"});
+      layOutFigure(tableOfOneTarget(), {"title", "time (s)", "from above"});
   const std::string svg = figureSvg(drawing, "title");
   EXPECT_TRUE(svg.starts_with("<?xml"));
   EXPECT_TRUE(svg.ends_with("</svg>\n"));

@@ -36,11 +36,11 @@ TEST(TrajectoryFigure, AnAxisIsNeverWithoutSize) {
 }
 
 TEST(TrajectoryFigure, GridLinesAreRound) {
-  EXPECT_DOUBLE_EQ(gridStep(5.0), 1.0);
-  EXPECT_DOUBLE_EQ(gridStep(10.0), 2.0);
-  EXPECT_DOUBLE_EQ(gridStep(0.03), 0.005);
-  EXPECT_DOUBLE_EQ(gridStep(4000.0), 1000.0);
-  const auto lines = gridLines({-1.2, 2.9});
+  EXPECT_DOUBLE_EQ(gridLineSpacing(5.0), 1.0);
+  EXPECT_DOUBLE_EQ(gridLineSpacing(10.0), 2.0);
+  EXPECT_DOUBLE_EQ(gridLineSpacing(0.03), 0.005);
+  EXPECT_DOUBLE_EQ(gridLineSpacing(4000.0), 1000.0);
+  const auto lines = gridLineValues({-1.2, 2.9});
   ASSERT_EQ(lines.size(), 4U); // -1, 0, 1, 2
   EXPECT_DOUBLE_EQ(lines.front(), -1.0);
   EXPECT_DOUBLE_EQ(lines.back(), 2.0);
@@ -56,32 +56,32 @@ TEST(TrajectoryFigure, EqualScaleWidensTheShorterRange) {
 }
 
 TEST(TrajectoryFigure, CurvesEndAtGapsAndBandsAreTwoSigmas) {
-  const TrajectoryFigure figure = trajectoryFigure(tableWithGap());
-  const FigurePanel& y = figure.overTime[1];
+  const TrajectoryFigure figure = computeTrajectoryFigure(tableWithGap());
+  const FigurePanel& y = figure.panelsOverTime[1];
   ASSERT_EQ(y.curves.size(), 2U);
   const std::vector<Eigen::Vector2d> path{{0.0, 0.0}, {0.5, 10.0}};
   EXPECT_EQ(y.curves[0].path, path);
   const std::vector<Eigen::Vector2d> band{{0.0, 0.4}, {0.5, 10.4}, {0.5, 9.6}, {0.0, -0.4}};
-  ASSERT_EQ(y.curves[0].band.size(), band.size());
+  ASSERT_EQ(y.curves[0].uncertaintyBand.size(), band.size());
   for (std::size_t k = 0; k < band.size(); ++k) {
-    EXPECT_NEAR((y.curves[0].band[k] - band[k]).norm(), 0.0, 1e-12) << k;
+    EXPECT_NEAR((y.curves[0].uncertaintyBand[k] - band[k]).norm(), 0.0, 1e-12) << k;
   }
   EXPECT_EQ(y.curves[1].path.front(), Eigen::Vector2d(1.5, 30.0));
   EXPECT_DOUBLE_EQ(y.horizontalRange.high, 2.1); // time: 0 to 2 s and a twentieth
-  EXPECT_DOUBLE_EQ(figure.overTime[2].verticalRange.low, 0.5);
+  EXPECT_DOUBLE_EQ(figure.panelsOverTime[2].verticalRange.low, 0.5);
 }
 
 TEST(TrajectoryFigure, FromAboveShowsTheFloorInOneScale) {
   ExportTable table = tableWithGap();
-  const FigurePanel above = trajectoryFigure(table).fromAbove;
+  const FigurePanel above = computeTrajectoryFigure(table).topViewPanel;
   EXPECT_EQ(above.horizontalAxis, 0);
   EXPECT_EQ(above.verticalAxis, 1);
   EXPECT_DOUBLE_EQ(above.horizontalRange.size(), above.verticalRange.size());
   EXPECT_EQ(above.curves[1].path.back(), Eigen::Vector2d(4.0, 40.0));
-  EXPECT_TRUE(above.curves[0].band.empty());
+  EXPECT_TRUE(above.curves[0].uncertaintyBand.empty());
   table.axes = WorldAxes::YUp; // the floor is z and x
-  EXPECT_EQ(trajectoryFigure(table).fromAbove.horizontalAxis, 2);
-  EXPECT_EQ(trajectoryFigure(table).fromAbove.verticalAxis, 0);
+  EXPECT_EQ(computeTrajectoryFigure(table).topViewPanel.horizontalAxis, 2);
+  EXPECT_EQ(computeTrajectoryFigure(table).topViewPanel.verticalAxis, 0);
 }
 
 } // namespace

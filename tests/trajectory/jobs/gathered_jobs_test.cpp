@@ -30,7 +30,7 @@ protected:
   /// A finished job of 10 frames whose trajectory has this text; `valid` frames of target "ball".
   void makeJob(const std::string& name, const JobIdentity& identity, std::int64_t valid = 10,
                const std::string& rows = "rows\n") {
-    const auto job = JobFolder::begin(folder(name), {"trajectory.csv"});
+    const auto job = JobFolder::beginJob(folder(name), {"trajectory.csv"});
     ASSERT_TRUE(job);
     ASSERT_TRUE(writeTextFile(root_ / name / "trajectory.csv", rows));
     JobRecord record;
@@ -47,9 +47,9 @@ protected:
     one.target = "ball";
     one.rmse = rmse;
     one.p95 = 2.0 * rmse;
-    one.fractionInside95 = 0.9;
+    one.fractionInside95Ellipsoid = 0.9;
     one.comparedFrameCount = 9;
-    one.framesToConverge = 1;
+    one.convergenceFrameCount = 1;
     ASSERT_TRUE(
         writeTextFile(root_ / name / kEvaluationFile, evaluationFileText({one}, sha256(rows))));
   }
@@ -70,14 +70,14 @@ TEST_F(GatherTest, HasOneRowForEachJobAndTarget) {
   ASSERT_TRUE(gathered);
   EXPECT_TRUE(gathered->isComplete());
   EXPECT_EQ(
-      gatheredTable(*gathered),
+      gatheredTableText(*gathered),
       "recording,command,method,settings,frame_range,seed,target,frames,coverage,frames_compared,"
       "rmse_mm,median_mm,p95_mm,max_mm,rmse_all_mm,inside_95,frames_to_converge,lost_frames,"
       "version\n"
       "\"a, first\",track,dewpoint,particles=50 "
       "kld_error=0,,2,ball,10,1,9,1,0,2,0,0,0.9,1,0,1.2.3\n"
       "b,track,dewpoint,,,10,ball,10,0.7,,,,,,,,,,1.2.3\n");
-  EXPECT_EQ(gatheredDurations(*gathered),
+  EXPECT_EQ(gatheredDurationsText(*gathered),
             "recording,command,method,settings,frame_range,seed,frames,seconds,frames_per_second,"
             "threads\n"
             "\"a, first\",track,dewpoint,particles=50 kld_error=0,,2,10,0.5,20,1\n"
@@ -99,8 +99,8 @@ TEST_F(GatherTest, OrderOfTheFoldersMakesNoDifference) {
   std::ranges::reverse(folders);
   const auto second = gatherJobs(folders);
   ASSERT_TRUE(first && second);
-  EXPECT_EQ(gatheredTable(*first), gatheredTable(*second));
-  EXPECT_EQ(gatheredReport(*first), gatheredReport(*second));
+  EXPECT_EQ(gatheredTableText(*first), gatheredTableText(*second));
+  EXPECT_EQ(gatheredReportText(*first), gatheredReportText(*second));
   // Seeds as numbers, not as words.
   ASSERT_EQ(first->jobs.size(), 6u);
   EXPECT_EQ(first->jobs[1].record.identity.seed, 3u);
@@ -132,7 +132,7 @@ TEST_F(GatherTest, EachResultCountsOnce) {
 
 TEST_F(GatherTest, NamesWhatIsMissingOrUnfinished) {
   makeJob("done", identityOf("a"));
-  ASSERT_TRUE(JobFolder::begin(folder("killed"), {}));
+  ASSERT_TRUE(JobFolder::beginJob(folder("killed"), {}));
   makeJob("cut", identityOf("b"));
   fs::resize_file(root_ / "cut" / "trajectory.csv", 2);
   const auto gathered =
@@ -142,7 +142,7 @@ TEST_F(GatherTest, NamesWhatIsMissingOrUnfinished) {
   EXPECT_EQ(gathered->jobs.size(), 1u);
   EXPECT_EQ(gathered->missingFolders, std::vector{folder("nowhere")});
   EXPECT_EQ(gathered->unfinishedFolders, (std::vector{folder("cut"), folder("killed")}));
-  const std::string report = gatheredReport(*gathered);
+  const std::string report = gatheredReportText(*gathered);
   EXPECT_NE(report.find("1 runs of 1 recordings; 1 missing, 2 unfinished."), std::string::npos)
       << report;
   EXPECT_NE(report.find("- `" + folder("nowhere") + "`"), std::string::npos) << report;
@@ -176,7 +176,7 @@ TEST_F(GatherTest, ReportHasTheMediansOfEachMethodAndTheWorstRuns) {
   }
   const auto gathered = gatherJobs(folders);
   ASSERT_TRUE(gathered);
-  const std::string report = gatheredReport(*gathered);
+  const std::string report = gatheredReportText(*gathered);
   EXPECT_NE(
       report.find("| track | dewpoint |  | 1.2.3 | 3 | 3 | 30 | 80.0 % | 2.0 | 4.0 | 90.0 % |"),
       std::string::npos)
@@ -193,8 +193,8 @@ TEST_F(GatherTest, NothingGivesAnEmptyTable) {
   const auto gathered = gatherJobs({});
   ASSERT_TRUE(gathered);
   EXPECT_TRUE(gathered->isComplete());
-  EXPECT_EQ(std::ranges::count(gatheredTable(*gathered), '\n'), 1);
-  EXPECT_NE(gatheredReport(*gathered).find("0 runs of 0 recordings"), std::string::npos);
+  EXPECT_EQ(std::ranges::count(gatheredTableText(*gathered), '\n'), 1);
+  EXPECT_NE(gatheredReportText(*gathered).find("0 runs of 0 recordings"), std::string::npos);
 }
 
 } // namespace

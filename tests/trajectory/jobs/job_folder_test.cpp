@@ -105,7 +105,7 @@ TEST(JobRecord, HasAnUpperLimitForItsSizeAndForTheNumberOfItsTargets) {
 
 TEST(JobRecord, IsWrittenForANameThatIsNotUtf8) {
   JobRecord record = recordWithKey("k");
-  record.identity.recording = "day \xFF";
+  record.identity.recordingName = "day \xFF";
   const fs::path folder = emptyJobFolder("bytes");
   fs::create_directories(folder);
   ASSERT_TRUE(writeTextFile(folder / kDoneFile, jobRecordText(record)));
@@ -114,30 +114,30 @@ TEST(JobRecord, IsWrittenForANameThatIsNotUtf8) {
 
 TEST(JobFolder, IsDoneOnlyAfterTheEnd) {
   const fs::path folder = emptyJobFolder("done");
-  const auto job = JobFolder::begin(folder, {"trajectory.csv"});
+  const auto job = JobFolder::beginJob(folder, {"trajectory.csv"});
   ASSERT_TRUE(job);
   EXPECT_TRUE(fs::exists(folder / kUnfinishedFile));
   ASSERT_TRUE(writeTextFile(folder / "trajectory.csv", "rows\n"));
-  EXPECT_FALSE(JobFolder::finishedRecord(folder, "k"));
+  EXPECT_FALSE(JobFolder::readFinishedRecord(folder, "k"));
 
   ASSERT_TRUE(job->finish(recordWithKey("k"), {"trajectory.csv"}));
   EXPECT_FALSE(fs::exists(folder / kUnfinishedFile));
-  const auto done = JobFolder::finishedRecord(folder, "k");
+  const auto done = JobFolder::readFinishedRecord(folder, "k");
   ASSERT_TRUE(done);
   EXPECT_EQ(done->files, (std::vector<JobFile>{{"trajectory.csv", 5, sha256("rows\n")}}));
-  EXPECT_FALSE(JobFolder::finishedRecord(folder, "other"));
-  EXPECT_FALSE(JobFolder::finishedRecord(folder, ""));
+  EXPECT_FALSE(JobFolder::readFinishedRecord(folder, "other"));
+  EXPECT_FALSE(JobFolder::readFinishedRecord(folder, ""));
 
   // A file that is not as it was written: not done.
   ASSERT_TRUE(writeTextFile(folder / "trajectory.csv", "ro"));
-  EXPECT_FALSE(JobFolder::finishedRecord(folder, "k"));
+  EXPECT_FALSE(JobFolder::readFinishedRecord(folder, "k"));
   fs::remove(folder / "trajectory.csv");
-  EXPECT_FALSE(JobFolder::finishedRecord(folder, "k"));
+  EXPECT_FALSE(JobFolder::readFinishedRecord(folder, "k"));
 }
 
 TEST(JobFolder, NextJobTakesAwayWhatTheFormerLeftAndNothingElse) {
   const fs::path folder = emptyJobFolder("again");
-  const auto first = JobFolder::begin(folder, {"trajectory.csv", "reasons.csv"});
+  const auto first = JobFolder::beginJob(folder, {"trajectory.csv", "reasons.csv"});
   ASSERT_TRUE(first);
   for (const char* name : {"trajectory.csv", "reasons.csv", "truth.csv"}) {
     ASSERT_TRUE(writeTextFile(folder / name, name));
@@ -147,7 +147,7 @@ TEST(JobFolder, NextJobTakesAwayWhatTheFormerLeftAndNothingElse) {
   // Somebody has put a file of their own in place of one of the job's.
   ASSERT_TRUE(writeTextFile(folder / "reasons.csv", "notes of a person"));
 
-  ASSERT_TRUE(JobFolder::begin(folder, {"boxes.csv"}));
+  ASSERT_TRUE(JobFolder::beginJob(folder, {"boxes.csv"}));
   EXPECT_FALSE(fs::exists(folder / kDoneFile));
   EXPECT_FALSE(fs::exists(folder / kEvaluationFile));
   EXPECT_FALSE(fs::exists(folder / "trajectory.csv"));
@@ -157,10 +157,10 @@ TEST(JobFolder, NextJobTakesAwayWhatTheFormerLeftAndNothingElse) {
 
 TEST(JobFolder, OnlyTheLastOfTwoThatRunAtOnceFinishes) {
   const fs::path folder = emptyJobFolder("two");
-  const auto stray = JobFolder::begin(folder, {"trajectory.csv"});
+  const auto stray = JobFolder::beginJob(folder, {"trajectory.csv"});
   ASSERT_TRUE(stray);
   std::ofstream open(folder / "trajectory.csv");
-  const auto last = JobFolder::begin(folder, {"trajectory.csv"});
+  const auto last = JobFolder::beginJob(folder, {"trajectory.csv"});
   ASSERT_TRUE(last);
   ASSERT_TRUE(writeTextFile(folder / "trajectory.csv", "of the last\n"));
   open << "of the stray one\n";
@@ -176,7 +176,7 @@ TEST(JobFolder, OnlyTheLastOfTwoThatRunAtOnceFinishes) {
 TEST(JobFolder, FolderThatCannotBeMadeIsAnError) {
   const fs::path file = emptyJobFolder("file");
   ASSERT_TRUE(writeTextFile(file, ""));
-  const auto begun = JobFolder::begin(file / "run", {});
+  const auto begun = JobFolder::beginJob(file / "run", {});
   ASSERT_FALSE(begun);
   EXPECT_EQ(begun.error().code, ErrorCode::FileUnwritable);
   fs::remove(file);

@@ -159,11 +159,11 @@ void OutputWindowTest::anotherProjectSendsNothing() {
 
 void OutputWindowTest::thePageHasTheLanguageOfTheWindow() {
   QVERIFY(document().edit(QStringLiteral("Set outputs"),
-                          [](Project& project) { project.output.websocket = 0; }));
+                          [](Project& project) { project.output.webSocketPort = 0; }));
   QSignalSpy changed(&outputs(), &OutputController::changed);
   action("actionSendResults")->trigger();
   QVERIFY(outputs().isSending() || changed.wait(kTimeoutMs));
-  const std::string address = outputs().reports().at(0).address;
+  const std::string address = outputs().outletReports().at(0).address;
   QVERIFY(loadedPage(address).find("<html lang=\"en") != std::string::npos);
   window_->setLanguage(QStringLiteral("de"));
   QVERIFY(
@@ -175,7 +175,7 @@ void OutputWindowTest::thePageHasTheLanguageOfTheWindow() {
 // that it still has.
 void OutputWindowTest::outputsThatHangHoldNobodyUp() {
   QVERIFY(document().edit(QStringLiteral("Set outputs"), [](Project& project) {
-    project.output.tcp = 0;
+    project.output.tcpPort = 0;
     project.output.token = "a secret of the test";
   }));
   const auto gate = std::make_shared<test::Gate>();
@@ -190,7 +190,7 @@ void OutputWindowTest::outputsThatHangHoldNobodyUp() {
   auto* send = action("actionSendResults");
   send->trigger();
   QVERIFY(outputs().isSending() || changed.wait(kTimeoutMs));
-  const auto client = connected(outputs().reports().at(0).address,
+  const auto client = connected(outputs().outletReports().at(0).address,
                                 "{\"token\":\"a secret of the test\",\"command\":\"start\"}\n");
   QVERIFY(client.number() >= 0);
   QVERIFY(waitFor([&] { return gate->waiting() == 1; }));
@@ -205,7 +205,7 @@ void OutputWindowTest::outputsThatHangHoldNobodyUp() {
   QVERIFY(send->isEnabled());
   QVERIFY(!send->isChecked());
   QVERIFY(document().edit(QStringLiteral("Set outputs"),
-                          [](Project& project) { project.output.tcp = 0; }));
+                          [](Project& project) { project.output.tcpPort = 0; }));
   send->trigger();
   gate->open();
   QVERIFY(waitFor([&] { return outputs().isSending(); }));

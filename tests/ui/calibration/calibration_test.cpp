@@ -276,13 +276,13 @@ void CalibrationTest::spacePressesWhatHasTheFocus() {
 void CalibrationTest::theRunGoesOn() {
   QTest::keyClick(window_.get(), Qt::Key_Space);
   QVERIFY(waitFor([&] { return window_->shown()->frame >= 10; }));
-  const auto iterations = window_->shown()->iterations;
+  const auto iterations = window_->shown()->iterationCount;
   const Camera before = camera(0);
   layer(0)->setFocus();
   QTest::keyClick(layer(0), Qt::Key_D, Qt::ShiftModifier);
   QVERIFY(waitFor(
       [&] { return window_->shown()->rig && window_->shown()->rig->front() == camera(0); }));
-  QVERIFY(window_->shown()->iterations >= iterations); // nothing started over
+  QVERIFY(window_->shown()->iterationCount >= iterations); // nothing started over
   QVERIFY((window_->shown()->rig->front().center() - before.center()).norm() > 0.09);
 }
 

@@ -45,7 +45,7 @@ protected:
 inline void CalibrationWindow::openCalibration() {
   makeWindow({.size = {1500, 950}, .theme = Theme::Light, .play = false});
   open();
-  QVERIFY(waitFor([this] { return shown().iterations > 0; }));
+  QVERIFY(waitFor([this] { return shown().iterationCount > 0; }));
   CameraRig rig;
   for (const ProjectCamera& one : project().cameras) {
     rig.push_back(one.camera);

@@ -72,7 +72,7 @@ private:
 void CamerasDialogTest::init() {
   devices_ = std::make_shared<test::FakeDevices>();
   makeWindow({.play = false});
-  window_->findChild<DeviceWatch*>()->setAccess(devices_);
+  window_->findChild<DeviceWatch*>()->setDeviceAccess(devices_);
 }
 
 Project CamerasDialogTest::patterns() const {

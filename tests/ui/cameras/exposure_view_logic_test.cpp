@@ -49,7 +49,7 @@ protected:
     SphereEstimate estimate;
     estimate.radius = kMetersOfBall;
     estimate.particleCount = 100;
-    estimate.valid = true;
+    estimate.isValid = true;
     target.estimate = estimate;
     target.cameraReports.resize(2);
   }

@@ -16,10 +16,10 @@ namespace dewpoint::tests::test {
 inline capture::CameraDevice fakeWebcam(int number, const std::string& serial) {
   capture::CameraDevice device;
   device.path = "/dev/video" + std::to_string(40 + number);
-  device.address = "test:ball?width=320&height=240&rate=" + std::to_string(10 + number);
+  device.stablePath = "test:ball?width=320&height=240&rate=" + std::to_string(10 + number);
   device.identity = {"usb-0:" + std::to_string(number) + ":1.0", serial, "Fake webcam",
                      "1234:5678"};
-  device.usb = {1, 480.0, 480.0};
+  device.usbLink = {1, 480.0, 480.0};
   device.formats = {{"MJPG", "Motion-JPEG", true, {{1920, 1080, {30.0}}, {320, 240, {30.0, 15.0}}}},
                     {"YUYV", "YUYV 4:2:2", false, {{1920, 1080, {30.0, 5.0}}, {320, 240, {30.0}}}}};
   return device;
@@ -44,15 +44,15 @@ public:
     return values_[path][name];
   }
 
-  std::vector<capture::CameraDevice> list() override {
+  std::vector<capture::CameraDevice> listDevices() override {
     const std::scoped_lock lock(mutex_);
     return devices_;
   }
-  std::string signature() override {
+  std::string deviceListSignature() override {
     const std::scoped_lock lock(mutex_);
     return std::to_string(changes_);
   }
-  Result<std::vector<capture::DeviceControl>> controls(const std::string& path) override {
+  Result<std::vector<capture::DeviceControl>> readControls(const std::string& path) override {
     const std::scoped_lock lock(mutex_);
     if (!isPlugged(path)) {
       return failure(ErrorCode::DeviceUnavailable, path, "", "it is unplugged");

@@ -45,7 +45,7 @@ TEST(CameraPicture, AHiddenTargetIsNotDrawn) {
   sphere.mean = {0.0, 0.0, 1.0};
   sphere.covariance = 1e-2 * Eigen::Matrix3d::Identity();
   sphere.particleCount = 1;
-  sphere.valid = true;
+  sphere.isValid = true;
   target.status = TargetStatus::Held;
   target.particles = sphere.mean.transpose().array();
   target.weights.setOnes(1);
@@ -245,7 +245,7 @@ TEST_F(ShownCameraView, ZoomedPixelsAreSquares) {
   view_.fitImage();
   EXPECT_FALSE(view_.isZoomed());
   ASSERT_TRUE(isDrawn(view_));
-  EXPECT_EQ(view_.placement().corner, QPointF(0.0, 0.0));
+  EXPECT_EQ(view_.placement().topLeft, QPointF(0.0, 0.0));
 }
 
 /// The same with a target that is held in the middle of the image, `spread` meters wide.

@@ -113,9 +113,9 @@ void CameraZoomTest::dragsMoveAZoomedImage() {
   QVERIFY(!view()->isZoomed());
   wheel(layer(), at, 6);
   const auto moves = [&](Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
-    const QPointF before = view()->placement().corner;
+    const QPointF before = view()->placement().topLeft;
     drag(at, {-30.0, 20.0}, button, modifiers);
-    const QPointF off = view()->placement().corner - before - QPointF(-30.0, 20.0);
+    const QPointF off = view()->placement().topLeft - before - QPointF(-30.0, 20.0);
     return std::hypot(off.x(), off.y()) < 1.5;
   };
   QVERIFY(moves(Qt::MiddleButton, Qt::NoModifier));

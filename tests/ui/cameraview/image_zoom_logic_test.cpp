@@ -18,7 +18,7 @@ TEST(ImageZoom, IsFittedAtFirst) {
   EXPECT_TRUE(zoom.isFitted(kSizes));
   const ImagePlacement all = zoom.placement(kSizes);
   EXPECT_DOUBLE_EQ(all.scale, 400.0 / 1280.0);
-  EXPECT_EQ(all.corner, QPointF(0.0, 38.0)); // (300 - 225) / 2, at a whole pixel
+  EXPECT_EQ(all.topLeft, QPointF(0.0, 38.0)); // (300 - 225) / 2, at a whole pixel
   EXPECT_EQ(zoom.visiblePart(kSizes), QRect(0, 0, 1280, 720));
   EXPECT_EQ(zoom.visiblePartSize(kSizes), QSize(400, 225));
 }
@@ -28,7 +28,7 @@ TEST(ImageZoom, ThePixelUnderThePointerStays) {
   const QPointF pointer(230.0, 140.0);
   const QPointF pixel = zoom.placement(kSizes).pixelAt(pointer);
   for (int step = 0; step < 12; ++step) {
-    zoom.zoomBy(ImageZoom::kStep, pointer, kSizes);
+    zoom.zoomBy(ImageZoom::kZoomStep, pointer, kSizes);
     // Half a device pixel: the corner lies at a whole one.
     expectNear(zoom.placement(kSizes).positionOf(pixel), pointer, 0.51);
   }
@@ -38,14 +38,14 @@ TEST(ImageZoom, ThePixelUnderThePointerStays) {
 TEST(ImageZoom, StepsBackLeadToTheFit) {
   ImageZoom zoom;
   for (int step = 0; step < 5; ++step) {
-    zoom.zoomBy(ImageZoom::kStep, {10.0, 60.0}, kSizes);
+    zoom.zoomBy(ImageZoom::kZoomStep, {10.0, 60.0}, kSizes);
   }
   EXPECT_FALSE(zoom.isFitted(kSizes));
   for (int step = 0; step < 5; ++step) {
-    zoom.zoomBy(1.0 / ImageZoom::kStep, {300.0, 200.0}, kSizes);
+    zoom.zoomBy(1.0 / ImageZoom::kZoomStep, {300.0, 200.0}, kSizes);
   }
   EXPECT_TRUE(zoom.isFitted(kSizes));
-  EXPECT_EQ(zoom.placement(kSizes).corner, QPointF(0.0, 38.0));
+  EXPECT_EQ(zoom.placement(kSizes).topLeft, QPointF(0.0, 38.0));
   zoom.zoomBy(0.1, {0.0, 0.0}, kSizes);
   EXPECT_TRUE(zoom.isFitted(kSizes)); // never smaller
 }
@@ -67,17 +67,17 @@ TEST(ImageZoom, PixelsAreNotLargerThanTheMost) {
 TEST(ImageZoom, NoMoreIsLeftEmptyThanByTheFit) {
   ImageZoom zoom;
   zoom.panBy({50.0, 50.0}, kSizes);
-  EXPECT_EQ(zoom.placement(kSizes).corner, QPointF(0.0, 38.0)); // a fitted one stays
-  zoom.zoomBy(8.0, {200.0, 150.0}, kSizes);                     // 3200 x 1800
+  EXPECT_EQ(zoom.placement(kSizes).topLeft, QPointF(0.0, 38.0)); // a fitted one stays
+  zoom.zoomBy(8.0, {200.0, 150.0}, kSizes);                      // 3200 x 1800
   zoom.panBy({1e5, 1e5}, kSizes);
-  expectNear(zoom.placement(kSizes).corner, {0.0, 37.5}, 0.51);
+  expectNear(zoom.placement(kSizes).topLeft, {0.0, 37.5}, 0.51);
   EXPECT_EQ(zoom.visiblePart(kSizes).topLeft(), QPoint(0, 0));
   zoom.panBy({-1e5, -1e5}, kSizes);
-  expectNear(zoom.placement(kSizes).corner, {400.0 - 3200.0, 300.0 - 1800.0 - 37.5}, 0.51);
+  expectNear(zoom.placement(kSizes).topLeft, {400.0 - 3200.0, 300.0 - 1800.0 - 37.5}, 0.51);
   EXPECT_EQ(zoom.visiblePart(kSizes).bottomRight(), QPoint(1279, 719));
-  const QPointF before = zoom.placement(kSizes).corner;
+  const QPointF before = zoom.placement(kSizes).topLeft;
   zoom.panBy({100.0, 20.0}, kSizes);
-  expectNear(zoom.placement(kSizes).corner - before, {100.0, 20.0}, 1e-9);
+  expectNear(zoom.placement(kSizes).topLeft - before, {100.0, 20.0}, 1e-9);
 }
 
 TEST(ImageZoom, ThePartIsWhatIsSeen) {
@@ -109,7 +109,7 @@ TEST(ImageZoom, APixelIsRevealedByAsLittleAsIsNeeded) {
   zoom.zoomBy(16.0, {200.0, 150.0}, kSizes);
   const ImagePlacement before = zoom.placement(kSizes);
   zoom.reveal(before.pixelAt({210.0, 140.0}), kSizes);
-  EXPECT_EQ(zoom.placement(kSizes).corner, before.corner); // it is seen already
+  EXPECT_EQ(zoom.placement(kSizes).topLeft, before.topLeft); // it is seen already
   const QPointF beside = before.pixelAt({460.0, 150.0});
   zoom.reveal(beside, kSizes);
   expectNear(zoom.placement(kSizes).positionOf(beside), {376.0, 150.0}, 1.0);

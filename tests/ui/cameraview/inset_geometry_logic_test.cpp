@@ -70,15 +70,15 @@ double luminance(const QColor& color) {
 }
 
 TEST(ParticleRamp, HeavierParticlesAreBrighter) {
-  for (const ParticleRamp& ramp :
-       {ParticleRamp::heat(), ParticleRamp::tinted("#ff8640"), ParticleRamp::tinted("#56b4e9")}) {
+  for (const ParticleRamp& ramp : {ParticleRamp::heatRamp(), ParticleRamp::tintedRamp("#ff8640"),
+                                   ParticleRamp::tintedRamp("#56b4e9")}) {
     for (int k = 0; k < 20; ++k) {
-      EXPECT_LT(luminance(ramp.at(k / 20.0)), luminance(ramp.at((k + 1) / 20.0))) << k;
+      EXPECT_LT(luminance(ramp.colorAt(k / 20.0)), luminance(ramp.colorAt((k + 1) / 20.0))) << k;
     }
-    EXPECT_EQ(ramp.at(-1.0), ramp.at(0.0));
-    EXPECT_EQ(ramp.at(2.0), ramp.at(1.0));
+    EXPECT_EQ(ramp.colorAt(-1.0), ramp.colorAt(0.0));
+    EXPECT_EQ(ramp.colorAt(2.0), ramp.colorAt(1.0));
   }
-  EXPECT_EQ(ParticleRamp::tinted("#ff8640").at(0.5), QColor("#ff8640"));
+  EXPECT_EQ(ParticleRamp::tintedRamp("#ff8640").colorAt(0.5), QColor("#ff8640"));
 }
 
 } // namespace

@@ -20,7 +20,7 @@ protected:
 
   void record() {
     video_ = path("patch.mkv");
-    auto writer = FrameWriter::video(video_.string(), 25.0);
+    auto writer = FrameWriter::createVideo(video_.string(), 25.0);
     QVERIFY(writer);
     for (int frame = 0; frame < kFrames; ++frame) {
       QVERIFY(writer->write(MovingPatch{}.image(frame)));
@@ -44,7 +44,7 @@ protected:
   }
   QPoint placeOf(const Eigen::Vector2d& pixel) {
     const ImagePlacement& placement = find<CameraView>("cameraView0")->placement();
-    return (placement.corner + QPointF(pixel.x(), pixel.y()) * placement.scale).toPoint();
+    return (placement.topLeft + QPointF(pixel.x(), pixel.y()) * placement.scale).toPoint();
   }
   void clickAt(const Eigen::Vector2d& pixel) {
     QTest::mouseClick(find<ImagePickOverlay>("cameraView0Pick"), Qt::LeftButton, Qt::NoModifier,

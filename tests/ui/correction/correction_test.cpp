@@ -98,7 +98,7 @@ private:
     const ImagePlacement& placement =
         find<CameraView>(QStringLiteral("cameraView%1").arg(k))->placement();
     const QPointF at =
-        placement.corner + QPointF(pixel.x() + 0.5, pixel.y() + 0.5) * placement.scale;
+        placement.topLeft + QPointF(pixel.x() + 0.5, pixel.y() + 0.5) * placement.scale;
     const bool moves = type == QEvent::MouseMove;
     const bool down = type != QEvent::MouseButtonRelease;
     QMouseEvent event(type, at, layer(k)->mapToGlobal(at), moves ? Qt::NoButton : Qt::LeftButton,
@@ -120,7 +120,7 @@ private:
       const auto all = samples();
       std::vector<std::int64_t> found;
       for (const TrajectorySample& sample : all) {
-        if (sample.corrected) {
+        if (sample.isCorrected) {
           found.push_back(sample.frame);
         }
       }

@@ -210,7 +210,7 @@ int editForever(const std::string& folder) {
     std::printf("%llu\n", static_cast<unsigned long long>(next));
     std::fflush(stdout);
   });
-  QObject::connect(&recovery, &Recovery::backedUp, [&folder] {
+  QObject::connect(&recovery, &Recovery::backupWritten, [&folder] {
     std::printf("kept %llu\n", static_cast<unsigned long long>(seedKept(folder)));
     std::fflush(stdout);
   });

@@ -86,14 +86,14 @@ void ExportDestinationTest::aSavedProjectIsExportedBesideItsFile() {
 
 void ExportDestinationTest::theFolderOfTheLastExportIsProposedNext() {
   open();
-  QVERIFY(waitFor([this] { return shown().iterations > 0; }));
+  QVERIFY(waitFor([this] { return shown().iterationCount > 0; }));
   QVERIFY(QDir().mkpath(file("results")));
   QVERIFY(exportsTo(file("results/first.csv")));
   QCOMPARE(QFileInfo(proposedVideo()).dir(), QDir(file("results")));
   const auto demo = resolveProject("demo");
   QVERIFY(demo && saveProject(*demo, path("next.toml")));
   open(path("next.toml"));
-  QVERIFY(waitFor([this] { return shown().iterations > 0; }));
+  QVERIFY(waitFor([this] { return shown().iterationCount > 0; }));
   QCOMPARE(QFileInfo(proposedTrajectory()).dir(), QDir(file("results")));
   // Exported into the project's own folder, each project has its own again.
   QVERIFY(exportsTo(file("second.csv")));
@@ -117,7 +117,7 @@ void ExportDestinationTest::anEnteredFileStays() {
 
 void ExportDestinationTest::notesCanBeLeftOut() {
   open();
-  QVERIFY(waitFor([this] { return shown().iterations > 0; }));
+  QVERIFY(waitFor([this] { return shown().iterationCount > 0; }));
   openDialog();
   auto* notes = find<QCheckBox>("exportHeader");
   QCOMPARE(notes->text(), QStringLiteral("Notes at the top of the file"));

@@ -71,7 +71,7 @@ void ExportPreviewTest::init() {
     sample.target = "ball";
     sample.position = {0.1, 0.2, 0.3};
     sample.covariance = 1e-4 * Eigen::Matrix3d::Identity();
-    sample.valid = true;
+    sample.isValid = true;
     run_.samples.push_back(sample);
   }
   dialog_ = std::make_unique<ExportDialog>([this] { return run_; });

@@ -74,7 +74,7 @@ Trajectory smallRun() {
     sample.target = "ball";
     sample.position = {std::cos(0.2 * static_cast<double>(frame)), 0.1, 0.5};
     sample.covariance = 1e-4 * Eigen::Matrix3d::Identity();
-    sample.valid = frame < 10 || frame > 14;
+    sample.isValid = frame < 10 || frame > 14;
     trajectory.samples.push_back(sample);
   }
   return trajectory;
@@ -217,7 +217,7 @@ void ExportTest::whoCancelsIsNotAsked() {
   QVERIFY(writeTextFile(file.toStdString(), "precious"));
   field<QLineEdit>("exportFile")->setText(file);
   auto* start = field<QPushButton>("exportStart");
-  const QSignalSpy done(dialog_, &ExportDialog::done);
+  const QSignalSpy done(dialog_, &ExportDialog::completed);
   start->click();
   QVERIFY(!start->isEnabled());
   field<QPushButton>("exportCancel")->click();

@@ -39,8 +39,8 @@ VideoLayout plainLook(int cameras, const QSize& size) {
   VideoLayout look;
   look.views = cameras == 1 ? camerasWith({4.0 / 3.0}) : camerasWith({4.0 / 3.0, 4.0 / 3.0});
   look.size = size;
-  look.titlesShown = false;
-  look.stampShown = false;
+  look.showsTitles = false;
+  look.showsStamp = false;
   return look;
 }
 
@@ -105,21 +105,21 @@ TEST(VideoPicture, EnlargesASceneThatWasDrawnSmaller) {
 TEST(VideoPicture, LabelsAreOptional) {
   VideoLayout look = plainLook(1, {640, 480});
   const QImage plain = videoPicture(look, plainFrame(1), {});
-  look.stampShown = true;
+  look.showsStamp = true;
   const QImage stamped = videoPicture(look, plainFrame(1), {});
   const QRect top(0, 0, 640, 240);
   EXPECT_NE(plain, stamped);
   EXPECT_EQ(plain.copy(top), stamped.copy(top));
-  look.titlesShown = true;
+  look.showsTitles = true;
   EXPECT_NE(videoPicture(look, plainFrame(1), {}).copy(top), plain.copy(top));
 }
 
 TEST(VideoPicture, TheStampNamesRecordingFrameAndTime) {
   VideoLayout look;
-  look.recording = QStringLiteral("take-003");
+  look.recordingName = QStringLiteral("take-003");
   // Frame 12 counted from 0; the window counts from 1.
   EXPECT_EQ(videoStampText(look, plainFrame(1)), QStringLiteral("take-003 · Frame 13 · 0.400 s"));
-  look.recording.clear();
+  look.recordingName.clear();
   EXPECT_EQ(videoStampText(look, plainFrame(1)), QStringLiteral("Frame 13 · 0.400 s"));
 }
 
@@ -140,7 +140,7 @@ TEST(VideoScene, IsDrawnAsLargeAsTheTimeAllows) {
   const QSize wanted(1280, 720);
   const auto ms = [](double pixels) { return 1.0 + 1e-5 * pixels; };
   const auto sizeFor = [&](double most) {
-    return largestSizeInTime(wanted, 5e3, ms(5e3), 8e4, ms(8e4), most);
+    return largestSizeWithinTime(wanted, 5e3, ms(5e3), 8e4, ms(8e4), most);
   };
   EXPECT_EQ(sizeFor(40.0), wanted);
   const QSize smaller = sizeFor(5.0);
@@ -148,7 +148,7 @@ TEST(VideoScene, IsDrawnAsLargeAsTheTimeAllows) {
   EXPECT_NEAR(static_cast<double>(smaller.width()) / smaller.height(), 16.0 / 9.0, 0.02);
   EXPECT_EQ(sizeFor(0.5), QSize(320, 180)); // never smaller than a quarter
   // A measurement that is no slower for more pixels is due to something else.
-  EXPECT_EQ(largestSizeInTime(wanted, 5e3, 3.0, 8e4, 2.0, 40.0), wanted);
+  EXPECT_EQ(largestSizeWithinTime(wanted, 5e3, 3.0, 8e4, 2.0, 40.0), wanted);
 }
 
 } // namespace

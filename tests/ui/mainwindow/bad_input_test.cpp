@@ -29,7 +29,7 @@ constexpr std::int64_t kVideoFrames = 24;
 /// Writes a camera of the scene as a lossless video.
 void writeVideo(const SceneRenderer& renderer, int camera, const std::string& file,
                 std::int64_t frames) {
-  auto writer = FrameWriter::video(file, renderer.scene().framesPerSecond);
+  auto writer = FrameWriter::createVideo(file, renderer.scene().framesPerSecond);
   for (std::int64_t frame = 0; writer && frame < frames; ++frame) {
     if (const auto written = writer->write(renderer.render(camera, frame)); !written) {
       qFatal("%s", errorSentence(written.error()).c_str());

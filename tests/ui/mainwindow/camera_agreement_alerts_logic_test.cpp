@@ -19,7 +19,7 @@ CameraDisagreement swapped() {
 }
 
 CameraDisagreement unit() {
-  return {.fault = CameraFault::Unit, .scale = 0.001};
+  return {.fault = CameraFault::Unit, .metersPerUnit = 0.001};
 }
 
 CameraDisagreement samePose() {
@@ -71,7 +71,8 @@ TEST_F(CameraAgreementAlertsTest, TheReasonIsShownWithWhatMendsIt) {
 
 TEST_F(CameraAgreementAlertsTest, OfTwoCamerasEitherCanBeRotated) {
   CameraDisagreement rotated{.fault = CameraFault::Rotated, .cameras = {0, 1}};
-  rotated.turns = {Eigen::Vector3d(2.0 * kDegree, 0.0, 0.0), Eigen::Vector3d(0.0, 0.03, 0.0)};
+  rotated.rotationCorrections = {Eigen::Vector3d(2.0 * kDegree, 0.0, 0.0),
+                                 Eigen::Vector3d(0.0, 0.03, 0.0)};
   alerts_.setSnapshot(with({rotated}));
   EXPECT_EQ(
       bar_.text(),

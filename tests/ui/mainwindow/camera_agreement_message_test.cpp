@@ -20,7 +20,7 @@ namespace {
 /// The demo with a ball that moves from the start, and with two cameras of one kind: others could
 /// not be taken for each other.
 Scene demo() {
-  Scene scene = *sceneNamed("demo");
+  Scene scene = *loadScene("demo");
   scene.cameras[1].intrinsics = scene.cameras[0].intrinsics;
   scene.balls.front().stillSeconds = 0.0;
   scene.framesPerSecond = 15.0;
@@ -43,7 +43,7 @@ Result<SessionInputs> spoiled(const std::vector<std::size_t>& order,
     camera.generate = [renderer, shown](std::int64_t frame) {
       return renderer->render(static_cast<int>(shown), frame);
     };
-    camera.generatedFrames = scene.frameCount;
+    camera.generatedFrameCount = scene.frameCount;
     cameras.push_back(std::move(camera));
   }
   auto source = openRecording(cameras, scene.framesPerSecond);

@@ -31,7 +31,7 @@ constexpr int kMoved = 1;
 constexpr std::int64_t kMotionFrame = 40;
 
 Scene stillScene() {
-  Scene scene = *sceneNamed("demo");
+  Scene scene = *loadScene("demo");
   scene.framesPerSecond = 10.0;
   scene.frameCount = 2000;
   return scene;
@@ -63,7 +63,7 @@ Result<SessionInputs> openMoved(const SessionRequest&) {
     camera.generate = [still, rotated, k](std::int64_t frame) {
       return (frame < kMotionFrame ? still : rotated)->render(static_cast<int>(k), frame);
     };
-    camera.generatedFrames = scene.frameCount;
+    camera.generatedFrameCount = scene.frameCount;
     cameras.push_back(std::move(camera));
   }
   auto source = openRecording(cameras, scene.framesPerSecond);
@@ -188,7 +188,7 @@ void CameraMotionMessageTest::whileABoardIsShownNoCameraIsTakenForMoved() {
   open();
   auto* board = window_->findChild<BoardCalibrator*>();
   QVERIFY(board != nullptr);
-  QVERIFY(waitFor([&] { return board->isLive(); }));
+  QVERIFY(waitFor([&] { return board->usesLiveCameras(); }));
   QVERIFY(passes(kLongEnough)); // the cameras are watched, and stand still
   QVERIFY(shown().cameraMotions.empty());
 

@@ -90,7 +90,7 @@ void DesktopHabitsTest::everyNamedActionIsDeclared() {
 }
 
 void DesktopHabitsTest::theWindowIsWhereItWas() {
-  window_->restoreAndKeepGeometry(); // nothing is kept yet
+  window_->restoreAndSaveGeometry(); // nothing is kept yet
   window_->setGeometry(140, 120, 1010, 730);
   window_->show();
   QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
@@ -98,7 +98,7 @@ void DesktopHabitsTest::theWindowIsWhereItWas() {
   QVERIFY(window_->close());
   makeAnotherWindow(kUnseen);
   QVERIFY(window_->size() != before.size());
-  window_->restoreAndKeepGeometry();
+  window_->restoreAndSaveGeometry();
   QCOMPARE(window_->geometry(), before);
   // Windows that nobody sees, for a picture or a run, change nothing of that.
   makeAnotherWindow(kUnseen);
@@ -106,7 +106,7 @@ void DesktopHabitsTest::theWindowIsWhereItWas() {
   window_->show();
   QVERIFY(window_->close());
   makeAnotherWindow(kUnseen);
-  window_->restoreAndKeepGeometry();
+  window_->restoreAndSaveGeometry();
   QCOMPARE(window_->geometry(), before);
 }
 
@@ -267,9 +267,9 @@ void DesktopHabitsTest::theFilterUsesAsManyThreadsAsChosen() {
   };
   window_->show();
   const int most = QThread::idealThreadCount();
-  QCOMPARE(Preferences().threadCountForFilter(), 0); // nobody has chosen
+  QCOMPARE(Preferences().filterThreadCount(), 0); // nobody has chosen
   choose(most);
-  QCOMPARE(Preferences().threadCountForFilter(), most);
+  QCOMPARE(Preferences().filterThreadCount(), most);
   openDemo();
   QCOMPARE(threadsOfRun(), most);
   choose(1); // while it runs

@@ -60,7 +60,7 @@ private:
     return waitFor([this] {
       const auto shown = window_->shown();
       return shown && shown->frame >= 3 && !shown->targets.empty() &&
-             std::get<SphereEstimate>(shown->targets[0].estimate).valid;
+             std::get<SphereEstimate>(shown->targets[0].estimate).isValid;
     });
   }
   /// Clicks these files in the next file dialog, and its "Open".
@@ -148,7 +148,7 @@ void FirstRunTest::fromTwoVideosAndACalibrationToACsv() {
   QVERIFY(keepsItsSize(view)); // a person looks before the click
   const ImagePlacement& placement = view->placement();
   const QPointF place =
-      placement.corner + (QPointF(at->x(), at->y()) + QPointF(0.5, 0.5)) * placement.scale;
+      placement.topLeft + (QPointF(at->x(), at->y()) + QPointF(0.5, 0.5)) * placement.scale;
   QTest::mouseClick(find<ImagePickOverlay>("cameraView0Pick"), Qt::LeftButton, Qt::NoModifier,
                     place.toPoint());
   QVERIFY(isHeld());

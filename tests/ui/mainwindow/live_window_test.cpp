@@ -133,7 +133,7 @@ void LiveWindowTest::tracksTwoStreamsToTheBall() {
   const Eigen::Vector3d truth = ballPosition(scene_, 0, 0.0);
   const auto error = [&] {
     const auto& targets = window_->shown()->targets;
-    return targets.empty() || !std::get<SphereEstimate>(targets.front().estimate).valid
+    return targets.empty() || !std::get<SphereEstimate>(targets.front().estimate).isValid
                ? 1.0
                : (std::get<SphereEstimate>(targets.front().estimate).mean - truth).norm();
   };

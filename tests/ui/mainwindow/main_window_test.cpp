@@ -66,7 +66,7 @@ void MainWindowTest::openDemo(bool play) {
   window_->setPlayOnOpen(play);
   open();
   // The first snapshot shows the first frame untracked.
-  QVERIFY(waitFor([this] { return shown().frame >= 0 && shown().iterations > 0; }));
+  QVERIFY(waitFor([this] { return shown().frame >= 0 && shown().iterationCount > 0; }));
 }
 
 bool MainWindowTest::pauseNow() {
@@ -79,13 +79,13 @@ bool MainWindowTest::pauseNow() {
 std::optional<Eigen::Vector3d> MainWindowTest::meanAfterFrames(const char* restart, int frames) {
   find<QAction>(restart)->trigger();
   // A restart shows the first frame untracked; the first "next frame" tracks it.
-  if (!waitFor([this] { return shown().frame == 0 && shown().iterations == 0; })) {
+  if (!waitFor([this] { return shown().frame == 0 && shown().iterationCount == 0; })) {
     return std::nullopt;
   }
   for (int frame = 0; frame < frames; ++frame) {
-    const qint64 iterations = shown().iterations;
+    const qint64 iterations = shown().iterationCount;
     click("actionNextFrameButton");
-    if (!waitFor([&] { return shown().frame == frame && shown().iterations > iterations; })) {
+    if (!waitFor([&] { return shown().frame == frame && shown().iterationCount > iterations; })) {
       return std::nullopt;
     }
   }
@@ -96,7 +96,8 @@ void MainWindowTest::playsTheDemoAndHolds() {
   openDemo(true);
   // The demo's ball is found within 60 iterations (Barrera's own count per still frame).
   QVERIFY(waitFor([this] {
-    return shown().frame >= 20 && std::get<SphereEstimate>(shown().targets.front().estimate).valid;
+    return shown().frame >= 20 &&
+           std::get<SphereEstimate>(shown().targets.front().estimate).isValid;
   }));
   QCOMPARE(shown().rig->size(), std::size_t{2}); // the demo: Barrera's two cameras
   QVERIFY(label("cameraDock0TitleState").contains(QStringLiteral("tracking")));
@@ -131,12 +132,12 @@ void MainWindowTest::nextFrameByMouse() {
 void MainWindowTest::oneIterationByMouse() {
   openDemo(false);
   const qint64 frame = shown().frame;
-  const qint64 iterations = shown().iterations;
+  const qint64 iterations = shown().iterationCount;
   click("actionNextIterationButton");
-  QVERIFY(waitFor([&] { return shown().iterations == iterations + 1; }));
+  QVERIFY(waitFor([&] { return shown().iterationCount == iterations + 1; }));
   QCOMPARE(shown().frame, frame);
   find<QAction>("actionNextIteration")->trigger();
-  QVERIFY(waitFor([&] { return shown().iterations == iterations + 2; }));
+  QVERIFY(waitFor([&] { return shown().iterationCount == iterations + 2; }));
   QCOMPARE(shown().frame, frame);
 }
 
@@ -205,7 +206,7 @@ void MainWindowTest::statusBarSaysWhatTheSnapshotSays() {
   QVERIFY(label("statusSpread").contains(QStringLiteral("±")));
   QVERIFY(label("statusSpeed").contains(QStringLiteral("m/s")));
   QCOMPARE(label("statusPlaying"), QStringLiteral("paused"));
-  QCOMPARE(label("statusHeld").contains(QStringLiteral("● tracking")), estimate.valid);
+  QCOMPARE(label("statusHeld").contains(QStringLiteral("● tracking")), estimate.isValid);
 }
 
 void MainWindowTest::restartWithTheSameSeedRepeats() {

@@ -106,8 +106,8 @@ void ManualPicturesTest::record(Scene scene, std::int64_t frames) {
   rig_ = scene.cameras;
   const SceneRenderer renderer(scene);
   for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
-    auto writer =
-        FrameWriter::video(path(k == 0 ? "left.mkv" : "right.mkv").string(), scene.framesPerSecond);
+    auto writer = FrameWriter::createVideo(path(k == 0 ? "left.mkv" : "right.mkv").string(),
+                                           scene.framesPerSecond);
     QVERIFY(writer);
     for (std::int64_t frame = 0; frame < scene.frameCount; ++frame) {
       QVERIFY(writer->write(renderer.render(static_cast<int>(k), frame)));
@@ -169,7 +169,7 @@ void ManualPicturesTest::clickAt(int camera, const Eigen::Vector3d& world) {
   const auto at = Projector(rig_.at(static_cast<std::size_t>(camera))).project(world);
   const ImagePlacement& placement = view->placement();
   const QPointF pixel =
-      placement.corner + (QPointF(at->x(), at->y()) + QPointF(0.5, 0.5)) * placement.scale;
+      placement.topLeft + (QPointF(at->x(), at->y()) + QPointF(0.5, 0.5)) * placement.scale;
   QTest::mouseClick(find<ImagePickOverlay>(QStringLiteral("cameraView%1Pick").arg(camera)),
                     Qt::LeftButton, Qt::NoModifier, pixel.toPoint());
 }
@@ -178,7 +178,7 @@ bool ManualPicturesTest::isHeld(std::size_t targets) {
   return waitFor([&] {
     const auto& all = shown().targets;
     return all.size() == targets && std::ranges::all_of(all, [](const TargetSnapshot& target) {
-             return std::get<SphereEstimate>(target.estimate).valid;
+             return std::get<SphereEstimate>(target.estimate).isValid;
            });
   });
 }
@@ -188,7 +188,7 @@ QImage ManualPicturesTest::imageOf(int camera, const QSize& size) {
   const auto* view = find<CameraView>(QStringLiteral("cameraView%1").arg(camera));
   const QImage whole = dock->widget()->grab().toImage();
   const QRect image =
-      QRectF(view->placement().corner, QSizeF(view->imageSize()) * view->placement().scale)
+      QRectF(view->placement().topLeft, QSizeF(view->imageSize()) * view->placement().scale)
           .toAlignedRect();
   const QSize part = size.scaled(image.size(), Qt::KeepAspectRatio);
   const QPoint begin = image.center() - QPoint(part.width() / 2, part.height() / 2);
@@ -220,10 +220,10 @@ void ManualPicturesTest::particlesCondense() {
   strip.fill(Qt::white);
   QPainter painter(&strip);
   for (std::size_t k = 0; k < kIterations.size(); ++k) {
-    while (shown().iterations < kIterations.at(k)) {
-      const std::int64_t next = shown().iterations + 1;
+    while (shown().iterationCount < kIterations.at(k)) {
+      const std::int64_t next = shown().iterationCount + 1;
       action("actionNextIteration")->trigger();
-      QVERIFY(waitFor([&] { return shown().iterations >= next; }));
+      QVERIFY(waitFor([&] { return shown().iterationCount >= next; }));
     }
     QVERIFY(settles(*window_));
     QVERIFY(settles(*above));
@@ -328,7 +328,7 @@ void ManualPicturesTest::wand() {
   open();
   action("actionCalibrateWand")->trigger();
   QVERIFY(window_->document().edit(QStringLiteral("nudge"), [](Project& project) {
-    project.cameras[1].adjusted = true;
+    project.cameras[1].hasOwnCalibration = true;
     project.cameras[1].camera.cameraFromWorld.translation() += Eigen::Vector3d(0.02, 0.01, 0.0);
   }));
   window_->resize(kTallWindow);
@@ -343,7 +343,7 @@ void ManualPicturesTest::wand() {
 }
 
 void ManualPicturesTest::oneCameraAndABox() {
-  auto scene = sceneNamed("one-camera");
+  auto scene = loadScene("one-camera");
   QVERIFY(scene);
   record(*scene, 150);
   openRecordings(false);
@@ -361,7 +361,7 @@ void ManualPicturesTest::peopleInARoom() {
 }
 
 void ManualPicturesTest::severalTargets() {
-  auto scene = sceneNamed(DEWPOINT_SOURCE_DIR "/docs/examples/scenes/two-balls.toml");
+  auto scene = loadScene(DEWPOINT_SOURCE_DIR "/docs/examples/scenes/two-balls.toml");
   QVERIFY(scene);
   record(*scene, 120);
   openRecordings(true);
@@ -378,7 +378,7 @@ void ManualPicturesTest::severalTargets() {
 }
 
 void ManualPicturesTest::changingLight() {
-  auto scene = sceneNamed(DEWPOINT_SOURCE_DIR "/docs/examples/scenes/evening.toml");
+  auto scene = loadScene(DEWPOINT_SOURCE_DIR "/docs/examples/scenes/evening.toml");
   QVERIFY(scene);
   record(*scene, 300);
   openRecordings(true);

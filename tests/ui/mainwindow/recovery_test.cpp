@@ -63,7 +63,7 @@ private:
   /// What offers the work of the window that died looks again every moment.
   RecoveryOffer& lookOften() {
     auto* offer = window_->findChild<RecoveryOffer*>();
-    offer->setInterval(std::chrono::milliseconds(50));
+    offer->setSearchInterval(std::chrono::milliseconds(50));
     return *offer;
   }
   /// A project file of the demo, called so.

@@ -110,7 +110,7 @@ void ScreenshotsTest::keepCalibration() {
     }
   }
   QVERIFY(window_->document().edit(QStringLiteral("points"),
-                                   [&](Project& project) { project.points = points; }));
+                                   [&](Project& project) { project.measuredPoints = points; }));
   auto* list = find<QTableWidget>("pointsList");
   list->setCurrentCell(1, 0);
   find<QPushButton>("pointClick")->click();
@@ -121,7 +121,7 @@ void ScreenshotsTest::keepCalibration() {
   // On the second point, a little beside its click.
   const ImagePlacement& image = find<CameraView>("cameraView0")->placement();
   const Eigen::Vector2d click = points[1].clicks.at(0).pixel;
-  const QPointF pointer = image.corner + image.scale * QPointF(click.x() + 3.0, click.y() + 2.0);
+  const QPointF pointer = image.topLeft + image.scale * QPointF(click.x() + 3.0, click.y() + 2.0);
   QMouseEvent move(QEvent::MouseMove, pointer, layer->mapToGlobal(pointer), Qt::NoButton,
                    Qt::NoButton, Qt::NoModifier);
   QApplication::sendEvent(layer, &move);
@@ -135,7 +135,7 @@ void ScreenshotsTest::keepCalibration() {
 void ScreenshotsTest::keepWaving() {
   action("actionCalibrateWand")->trigger();
   QVERIFY(window_->document().edit(QStringLiteral("nudge"), [](Project& project) {
-    project.cameras[1].adjusted = true;
+    project.cameras[1].hasOwnCalibration = true;
     project.cameras[1].camera.cameraFromWorld.translation() += Eigen::Vector3d(0.02, 0.01, 0.0);
   }));
   window_->selection().selectRange(SelectedRange{60, 199});

@@ -386,7 +386,7 @@ void SlowWorldTest::anEmptyRoomIsUsedOnceItIsWritten() {
   QVERIFY(waitFor([&] { return !field->text().isEmpty(); }));
   QVERIFY(QFile::exists(field->text()));
   document.undoStack()->undo(); // a step of its own
-  QVERIFY(document.project().cameras[0].backgroundImage.empty());
+  QVERIFY(document.project().cameras[0].backgroundImageFile.empty());
   QCOMPARE(document.project().parameters.at("particles"), 777.0);
 }
 

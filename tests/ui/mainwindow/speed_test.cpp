@@ -47,7 +47,7 @@ void SpeedTest::keysChangeTheSpeedWithinItsLimits() {
   }
   QCOMPARE(speedShown(), QStringLiteral("1/30 ×"));
   QVERIFY(!action("actionSlower")->isEnabled());
-  QCOMPARE(pace().speed, Pace::kSlowest);
+  QCOMPARE(pace().speedFactor, Pace::kSlowest);
   QTest::keyClick(window_.get(), Qt::Key_Backslash);
   QCOMPARE(speedShown(), QStringLiteral("1 ×"));
   QVERIFY(!action("actionNormalSpeed")->isEnabled());
@@ -61,7 +61,7 @@ void SpeedTest::theMenuHasEverySpeed() {
     if (one->data().isValid()) {
       texts += one->text();
       one->trigger();
-      QCOMPARE(pace().speed, one->data().toDouble());
+      QCOMPARE(pace().speedFactor, one->data().toDouble());
       QCOMPARE(speedShown(), one->text());
     }
   }
@@ -84,7 +84,7 @@ void SpeedTest::slowlyAtFirstIsRemembered() {
   QVERIFY(pace().slowUntilTracking);
   action("actionSlowStart")->trigger();
   QVERIFY(!pace().slowUntilTracking);
-  QVERIFY(!Preferences().slowUntilTracking());
+  QVERIFY(!Preferences().isSlowUntilTracking());
   window_.reset();
   makeAnotherWindow();
   QVERIFY(!action("actionSlowStart")->isChecked());
@@ -95,12 +95,13 @@ void SpeedTest::whatIsBelievedBeforeTheFirstIterationIsShown() {
   bool seenBefore = false;
   connect(window_->findChild<SessionController*>(), &SessionController::snapshotChanged, this,
           [&](const TrackSnapshotPtr& snapshot) {
-            seenBefore = seenBefore || (snapshot && snapshot->state == PlayState::Playing &&
-                                        snapshot->iterations == 0 && !snapshot->targets.empty() &&
-                                        snapshot->targets.front().particles.rows() > 0);
+            seenBefore =
+                seenBefore || (snapshot && snapshot->state == PlayState::Playing &&
+                               snapshot->iterationCount == 0 && !snapshot->targets.empty() &&
+                               snapshot->targets.front().particles.rows() > 0);
           });
   openDemo();
-  QVERIFY(waitFor([this] { return shown().iterations > 3; }));
+  QVERIFY(waitFor([this] { return shown().iterationCount > 3; }));
   QVERIFY(seenBefore);
 }
 

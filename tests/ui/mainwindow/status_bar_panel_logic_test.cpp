@@ -57,7 +57,7 @@ TEST_F(StatusBarPanelTest, AReasonHasTheRoomOfUnknownValues) {
   target.cameraReports.clear();
   auto& sphere = std::get<SphereEstimate>(target.estimate);
   sphere.particleCount = 100;
-  sphere.valid = true;
+  sphere.isValid = true;
   show(snapshot);
   for (const char* name : {"statusPosition", "statusSpread", "statusSpeed"}) {
     EXPECT_TRUE(isShown(name)) << name;

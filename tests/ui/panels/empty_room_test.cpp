@@ -38,7 +38,7 @@ private:
   /// Takes the image shown, which is not written before the gate opens.
   void takeAtTheGate();
   const std::string& emptyRoom() const {
-    return window_->document().project().cameras[1].backgroundImage;
+    return window_->document().project().cameras[1].backgroundImageFile;
   }
   QPushButton* take() const { return find<QPushButton>("cameraEmptyRoomTake"); }
   QLineEdit* field() const { return find<QLineEdit>("cameraEmptyRoom"); }
@@ -135,7 +135,7 @@ void EmptyRoomTest::whatWasChosenMeanwhileStays() {
   takeAtTheGate();
   const std::string chosen = file("chosen.png").toStdString();
   QVERIFY(window_->document().edit(QStringLiteral("Choose"), [&](Project& project) {
-    project.cameras[1].backgroundImage = chosen;
+    project.cameras[1].backgroundImageFile = chosen;
   }));
   gate_->open();
   QVERIFY(waitFor([&] { return messageText().contains(QStringLiteral("-empty-right.png")); }));

@@ -210,17 +210,17 @@ void InspectorTest::rowsOfTargetsSayStateAndSize() {
   action("actionNextFrame")->trigger();
   action("actionNextFrame")->trigger();
   QVERIFY(waitFor([&] { return rows().size() == 1 && rows()[0].state == TrackingState::Held; }));
-  QVERIFY(rows()[0].size.startsWith(QStringLiteral("radius ")));
+  QVERIFY(rows()[0].sizeText.startsWith(QStringLiteral("radius ")));
   // As soon as there are a few frames to compute it from.
   action("actionNextFrame")->trigger();
   action("actionNextFrame")->trigger();
-  QVERIFY(waitFor([&] { return rows()[0].speed.endsWith(QStringLiteral(" m/s")); }));
-  QVERIFY(!rows()[0].size.contains(QStringLiteral("found"))); // the demo gives it
+  QVERIFY(waitFor([&] { return rows()[0].speedText.endsWith(QStringLiteral(" m/s")); }));
+  QVERIFY(!rows()[0].sizeText.contains(QStringLiteral("found"))); // the demo gives it
   QVERIFY(rows()[0].learnedColor && *rows()[0].learnedColor != rows()[0].identityColor);
   QVERIFY(window_->document().edit(QStringLiteral("no radius"),
                                    [](Project& project) { project.targets[0].radius = 0.0; }));
   action("actionNextFrame")->trigger();
-  QVERIFY(waitFor([&] { return rows()[0].size.contains(QStringLiteral("(estimated)")); }));
+  QVERIFY(waitFor([&] { return rows()[0].sizeText.contains(QStringLiteral("(estimated)")); }));
 }
 
 void InspectorTest::theEyeOfARowHidesItsTarget() {
@@ -233,7 +233,7 @@ void InspectorTest::theEyeOfARowHidesItsTarget() {
   QVERIFY(settles(*view));
   const QImage with = view->grab().toImage();
   const auto isShown = [this] { return window_->document().project().targets[0].isShown; };
-  const QRect eye = TargetRowDelegate::eyeArea(list->visualRect(list->model()->index(0, 0)));
+  const QRect eye = TargetRowDelegate::eyeIconArea(list->visualRect(list->model()->index(0, 0)));
   QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier, eye.center());
   QVERIFY(!isShown());
   QVERIFY(waitFor([this] { return !shown().targets[0].target.isShown; }));
@@ -254,7 +254,7 @@ QPoint InspectorTest::placeInImage() {
   const auto* view = find<CameraView>("cameraView0");
   const auto mean = positionOf(shown().targets.at(0).estimate);
   const auto pixel = Projector((*shown().rig)[0]).project(mean->mean);
-  return (view->placement().corner +
+  return (view->placement().topLeft +
           (QPointF(pixel->x(), pixel->y()) + QPointF(0.5, 0.5)) * view->placement().scale)
       .toPoint();
 }
@@ -290,10 +290,10 @@ void InspectorTest::samplesAreAddedAndExcludedByButtons() {
   QVERIFY(add->isChecked()); // samples come in numbers
   exclude->click();
   QVERIFY(exclude->isChecked() && !add->isChecked());
-  const QPoint corner = find<CameraView>("cameraView0")->placement().corner.toPoint();
+  const QPoint corner = find<CameraView>("cameraView0")->placement().topLeft.toPoint();
   QTest::mouseClick(layer, Qt::LeftButton, Qt::NoModifier, corner + QPoint(5, 5));
   QVERIFY(waitFor([&] {
-    return std::ranges::count_if(samples(), [](const auto& one) { return one.excluded; }) == 1;
+    return std::ranges::count_if(samples(), [](const auto& one) { return one.isExcluded; }) == 1;
   }));
   QTest::keyClick(layer, Qt::Key_Escape);
   QVERIFY(!exclude->isChecked() && !action("actionLearnColor")->isChecked());

@@ -229,7 +229,8 @@ void PeopleTest::peopleAreTakenAwayAndPlacedByKeys() {
   const auto pixel = Projector(camera).project(place);
   QVERIFY(pixel.has_value());
   const ImagePlacement& image = view->placement();
-  const QPointF position = image.corner + image.scale * QPointF(pixel->x() + 0.5, pixel->y() + 0.5);
+  const QPointF position =
+      image.topLeft + image.scale * QPointF(pixel->x() + 0.5, pixel->y() + 0.5);
   QTest::mouseClick(layer, Qt::LeftButton, {}, position.toPoint());
   QVERIFY(waitFor([&] { return there() == 2; }));
   QVERIFY(!action("actionPlacePerson")->isChecked());
@@ -237,13 +238,13 @@ void PeopleTest::peopleAreTakenAwayAndPlacedByKeys() {
   const Eigen::Vector3d found = positionOf(window_->shown()->targets.back().estimate)->mean;
   QVERIFY((found - place).head<2>().norm() < 0.4);
   // Both are steps of the document: taken back, and in its file.
-  QCOMPARE(window_->document().project().people.size(), std::size_t{2});
+  QCOMPARE(window_->document().project().personCorrections.size(), std::size_t{2});
   action("actionUndo")->trigger();
   QVERIFY(waitFor([&] { return there() == 1 && !window_->shown()->rerun; }));
   action("actionUndo")->trigger();
   QVERIFY(
       waitFor([&] { return there() == 2 && window_->shown()->targets.at(0).person() != nullptr; }));
-  QVERIFY(window_->document().project().people.empty());
+  QVERIFY(window_->document().project().personCorrections.empty());
   action("actionRedo")->trigger();
   QVERIFY(waitFor([&] { return there() == 1; }));
 

@@ -45,7 +45,7 @@ void PlotAxisRangeTest::aShortRunGrowsIntoTheLeastRange() {
   QCOMPARE(range_.shownRange(&series_), Range(0.0, 60.0));
   run(100);
   QCOMPARE(range_.shownRange(&series_), Range(0.0, 100.0));
-  QVERIFY(range_.showsAll());
+  QVERIFY(range_.showsWholeRun());
 }
 
 void PlotAxisRangeTest::aPartStaysWithinTheRun() {
@@ -55,30 +55,30 @@ void PlotAxisRangeTest::aPartStaysWithinTheRun() {
   range_.showRange(&series_, 50.0, 50.5); // 4 iterations are the least that can be read
   QCOMPARE(range_.shownRange(&series_), Range(50.0, 54.0));
   range_.showRange(&series_, -50.0, 200.0); // more than there is
-  QVERIFY(range_.showsAll());
+  QVERIFY(range_.showsWholeRun());
 }
 
 void PlotAxisRangeTest::aPartAtTheEndGoesAlong() {
   run(100);
   range_.showRange(&series_, 80.0, 100.0);
   run(130);
-  QCOMPARE(range_.advance(&series_), Range(110.0, 130.0));
+  QCOMPARE(range_.followNewestData(&series_), Range(110.0, 130.0));
   run(140);
-  QCOMPARE(range_.advance(&series_), Range(120.0, 140.0));
+  QCOMPARE(range_.followNewestData(&series_), Range(120.0, 140.0));
 }
 
 void PlotAxisRangeTest::aPartInThePastStays() {
   run(100);
   range_.showRange(&series_, 20.0, 40.0);
   run(200);
-  QCOMPARE(range_.advance(&series_), Range(20.0, 40.0));
+  QCOMPARE(range_.followNewestData(&series_), Range(20.0, 40.0));
 }
 
 void PlotAxisRangeTest::anotherAxisShowsAll() {
   run(100);
   range_.showRange(&series_, 20.0, 40.0);
   QVERIFY(!range_.setAxis(PlotAxis::Iterations));
-  QVERIFY(!range_.showsAll());
+  QVERIFY(!range_.showsWholeRun());
   QVERIFY(range_.setAxis(PlotAxis::Time));
   QCOMPARE(range_.shownRange(&series_), Range(0.0, 10.0)); // seconds
 }
@@ -86,16 +86,16 @@ void PlotAxisRangeTest::anotherAxisShowsAll() {
 void PlotAxisRangeTest::aRunThatWentBackBeforeThePartIsSeenWhole() {
   run(10);
   range_.showRange(&series_, 20.0, 40.0); // where the run has not been yet
-  QCOMPARE(range_.advance(&series_), Range(20.0, 40.0));
+  QCOMPARE(range_.followNewestData(&series_), Range(20.0, 40.0));
   run(200);
   range_.showRange(&series_, 120.0, 160.0);
   series_.removeFrom(140); // the part still begins within the run
-  QCOMPARE(range_.advance(&series_), Range(120.0, 160.0));
+  QCOMPARE(range_.followNewestData(&series_), Range(120.0, 160.0));
   series_.removeFrom(100);
-  QCOMPARE(range_.advance(&series_), Range(0.0, 99.0));
-  QVERIFY(range_.showsAll());
+  QCOMPARE(range_.followNewestData(&series_), Range(0.0, 99.0));
+  QVERIFY(range_.showsWholeRun());
   run(200); // and from then on it grows with the run
-  QCOMPARE(range_.advance(&series_), Range(0.0, 200.0));
+  QCOMPARE(range_.followNewestData(&series_), Range(0.0, 200.0));
 }
 
 DEWPOINT_CORE_TEST(PlotAxisRangeTest)

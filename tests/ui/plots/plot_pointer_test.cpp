@@ -88,7 +88,7 @@ void PlotPointerTest::initTestCase() {
   for (int frame = 0; frame < kPointedFrames; ++frame) {
     QVERIFY(waitFor([&] {
       return window_->shown() && window_->shown()->frame == frame &&
-             window_->shown()->iterations > 0;
+             window_->shown()->iterationCount > 0;
     }));
     if (frame + 1 < kPointedFrames) {
       action("actionNextFrame")->trigger();
@@ -100,7 +100,7 @@ void PlotPointerTest::initTestCase() {
 
 void PlotPointerTest::cleanup() {
   leave(canvas());
-  plots().showAll();
+  plots().showWholeRun();
   bar()->setValue(0);
   QVERIFY(waitFor([] { return !QToolTip::isVisible(); }));
 }
@@ -154,10 +154,10 @@ void PlotPointerTest::theWheelScrollsTheStack() {
   QVERIFY(waitFor([this] { return bar()->maximum() > 0; })); // seven plots do not fit
   turnWheel(-1, Qt::NoModifier);
   QVERIFY(bar()->value() > 0);
-  QVERIFY(plots().showsAll());
+  QVERIFY(plots().showsWholeRun());
   turnWheel(20, Qt::NoModifier);
   QCOMPARE(bar()->value(), 0);
-  QVERIFY(plots().showsAll());
+  QVERIFY(plots().showsWholeRun());
   for (const char* name : {"actionPlotExistence", "actionPlotDuration"}) {
     action(name)->trigger();
   }
@@ -176,7 +176,7 @@ void PlotPointerTest::theWheelZoomsWithCtrl() {
   point(canvas(), at(0.5));
   QCOMPARE(plots().cursorText(), under); // what was under the pointer is there still
   turnWheel(-8, Qt::ControlModifier);
-  QVERIFY(plots().showsAll());
+  QVERIFY(plots().showsWholeRun());
 }
 
 void PlotPointerTest::theWheelPansWithShift() {

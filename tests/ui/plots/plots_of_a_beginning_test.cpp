@@ -40,22 +40,22 @@ private:
   }
   /// Tracks frames until there are so many iterations.
   bool runsTo(std::int64_t iterations) {
-    while (shown().iterations < iterations) {
-      const std::int64_t before = shown().iterations;
+    while (shown().iterationCount < iterations) {
+      const std::int64_t before = shown().iterationCount;
       action("actionNextFrame")->trigger();
-      if (!waitFor([&] { return shown().iterations > before; })) {
+      if (!waitFor([&] { return shown().iterationCount > before; })) {
         return false;
       }
     }
-    return waitFor([this] { return panel().shownIterationCount() == shown().iterations; });
+    return waitFor([this] { return panel().shownIterationCount() == shown().iterationCount; });
   }
 };
 
 void PlotsOfABeginningTest::init() {
   makeWindow({.size = {1400, 900}, .theme = Theme::Light, .play = false});
   open(); // and the first frame is tracked
-  QVERIFY(
-      waitFor([this] { return shown().iterations == 1 && panel().shownIterationCount() == 1; }));
+  QVERIFY(waitFor(
+      [this] { return shown().iterationCount == 1 && panel().shownIterationCount() == 1; }));
   QVERIFY(draws(*window_));
 }
 
@@ -117,17 +117,17 @@ void PlotsOfABeginningTest::iterationsOfAFrameConverge() {
   QVERIFY(runsTo(3));
   QVERIFY(panel().convergence().isHidden()); // one iteration per frame
   for (int k = 0; k < 4; ++k) {
-    const std::int64_t before = shown().iterations;
+    const std::int64_t before = shown().iterationCount;
     action("actionNextIteration")->trigger();
-    QVERIFY(waitFor([&] { return shown().iterations > before; }));
+    QVERIFY(waitFor([&] { return shown().iterationCount > before; }));
   }
   QVERIFY(waitFor([this] { return panel().convergence().isVisible(); }));
   QCOMPARE(panel().convergence().iterationCount(), std::size_t{5});
   QCOMPARE(panel().convergence().stack().visiblePlots(), QStringList{"convergence"});
   // One more frame: it is its own; long after, there is nothing to be shown.
-  QVERIFY(runsTo(shown().iterations + 1));
+  QVERIFY(runsTo(shown().iterationCount + 1));
   QCOMPARE(panel().convergence().iterationCount(), std::size_t{1});
-  QVERIFY(runsTo(shown().iterations + 14));
+  QVERIFY(runsTo(shown().iterationCount + 14));
   QVERIFY(waitFor([this] { return panel().convergence().isHidden(); }));
 }
 
@@ -135,15 +135,15 @@ void PlotsOfABeginningTest::restartShowsTheWholeRun() {
   QVERIFY(runsTo(70));
   window_->findChild<QDockWidget*>(QStringLiteral("trajectoryDock"))->raise();
   auto& motion = window_->findChild<TrajectoryPanel*>()->plots();
-  QVERIFY(waitFor([&] { return (motion.showRange(0.5, 1.0), !motion.showsAll()); }));
+  QVERIFY(waitFor([&] { return (motion.showRange(0.5, 1.0), !motion.showsWholeRun()); }));
   window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
   QVERIFY(waitFor([this] { return plots().isVisible(); }));
   plots().showRange(0.5, 1.5); // seconds
-  QVERIFY(!plots().showsAll());
+  QVERIFY(!plots().showsWholeRun());
   action("actionRestart")->trigger();
-  QVERIFY(waitFor([this] { return shown().iterations == 0; }));
-  QVERIFY(plots().showsAll());
-  QVERIFY(motion.showsAll());
+  QVERIFY(waitFor([this] { return shown().iterationCount == 0; }));
+  QVERIFY(plots().showsWholeRun());
+  QVERIFY(motion.showsWholeRun());
   QVERIFY(runsTo(66)); // at 30 per second; and the plots go along with the new run
   QVERIFY(waitFor([this] { return plots().shownRange().second >= 2.1; }));
 }
@@ -152,7 +152,7 @@ void PlotsOfABeginningTest::withoutDataThereIsASentence() {
   auto* sentence = plots().findChild<QLabel*>(QStringLiteral("plotsEmpty"));
   QVERIFY(waitFor([&] { return sentence->isHidden(); }));
   action("actionRestart")->trigger();
-  QVERIFY(waitFor([&] { return shown().iterations == 0 && sentence->isVisible(); }));
+  QVERIFY(waitFor([&] { return shown().iterationCount == 0 && sentence->isVisible(); }));
   QCOMPARE(sentence->text(), QStringLiteral("Plots appear during tracking."));
   QVERIFY(runsTo(1));
   QVERIFY(waitFor([&] { return sentence->isHidden(); }));

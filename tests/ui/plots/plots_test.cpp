@@ -79,7 +79,7 @@ void PlotsTest::initTestCase() {
   for (int frame = 0; frame < kDemoFrames; ++frame) {
     QVERIFY(waitFor([&] {
       return window_->shown() && window_->shown()->frame == frame &&
-             window_->shown()->iterations > 0;
+             window_->shown()->iterationCount > 0;
     }));
     if (frame + 1 < kDemoFrames) {
       action("actionNextFrame")->trigger();
@@ -93,7 +93,7 @@ void PlotsTest::cleanupTestCase() {
 }
 
 void PlotsTest::init() {
-  plots().showAll();
+  plots().showWholeRun();
   action("actionPlotOverTime")->setChecked(false);
   QTest::keyClick(canvas(), Qt::Key_Escape);
   QVERIFY(!plots().selectedRange());
@@ -108,7 +108,7 @@ void PlotsTest::openTrajectory() {
 }
 
 void PlotsTest::curvesHaveTheRun() {
-  const qint64 iterations = window_->shown()->iterations;
+  const qint64 iterations = window_->shown()->iterationCount;
   QCOMPARE(window_->findChild<PlotPanel*>()->shownIterationCount(), static_cast<int>(iterations));
   // As in the desk's plan of the window; the demo knows its truth.
   QCOMPARE(plots().visiblePlots(),
@@ -202,7 +202,7 @@ void PlotsTest::wheelDragAndKeysMoveAlongTheAxis() {
   for (int i = 0; i < 4; ++i) {
     QTest::keyClick(canvas(), Qt::Key_Plus);
   }
-  QVERIFY(!plots().showsAll());
+  QVERIFY(!plots().showsWholeRun());
   QVERIFY(width() < 0.5 * all); // 1.25⁴ = 2.44
   const double before = plots().shownRange().first;
   QTest::mousePress(canvas(), Qt::LeftButton, {}, at(0.8));
@@ -211,11 +211,11 @@ void PlotsTest::wheelDragAndKeysMoveAlongTheAxis() {
   QTest::mouseRelease(canvas(), Qt::LeftButton, {}, at(0.5));
   QVERIFY(plots().shownRange().first > before); // dragged to the left: later moments
   QTest::mouseDClick(canvas(), Qt::LeftButton, {}, at(0.5));
-  QVERIFY(plots().showsAll());
+  QVERIFY(plots().showsWholeRun());
   QCOMPARE(width(), all);
   QTest::keyClick(canvas(), Qt::Key_Plus);
   action("actionPlotAll")->trigger();
-  QVERIFY(plots().showsAll());
+  QVERIFY(plots().showsWholeRun());
 }
 
 void PlotsTest::rangeOfThePlotsIsSelectedInTheTable() {
@@ -263,7 +263,7 @@ void PlotsTest::positionOfTheTailIsAFrame() {
   openTrajectory();
   auto* view = window_->findChild<BirdsEyeView*>();
   QVERIFY(waitFor([&] { return !view->currentImage().isNull(); }));
-  const auto& tail = window_->shown()->targets.front().tail;
+  const auto& tail = window_->shown()->targets.front().tailPositions;
   QCOMPARE(tail.size(), static_cast<std::size_t>(kDemoFrames));
   const auto pixel = [&](std::size_t frame) {
     const Eigen::Vector2d place = view->scene().projectToImage(tail[frame]);
@@ -292,7 +292,7 @@ void PlotsTest::csvIsWhatIsShown() {
   QVERIFY(lines.first().startsWith(
       QStringLiteral("iteration,frame,time_s,x_m,y_m,z_m,true_x_m,true_y_m,true_z_m,spread_x_mm,"
                      "spread_y_mm,spread_z_mm,effective_sample_size,particles,log_likelihood_")));
-  QCOMPARE(lines.size() - 1, window_->shown()->iterations);
+  QCOMPARE(lines.size() - 1, window_->shown()->iterationCount);
   const qsizetype columns = lines.first().split(QLatin1Char(',')).size();
   for (const QString& line : lines) {
     QCOMPARE(line.split(QLatin1Char(',')).size(), columns);
@@ -300,7 +300,7 @@ void PlotsTest::csvIsWhatIsShown() {
   // The last line is the estimate that the window shows.
   const QStringList last = lines.last().split(QLatin1Char(','));
   const auto estimate = std::get<SphereEstimate>(window_->shown()->targets.front().estimate);
-  QCOMPARE(last[0].toLongLong(), window_->shown()->iterations);
+  QCOMPARE(last[0].toLongLong(), window_->shown()->iterationCount);
   QCOMPARE(last[1].toLongLong(), window_->shown()->frame);
   // Kept as float: 24 bits.
   for (int axis = 0; axis < 3; ++axis) {
@@ -320,7 +320,7 @@ void PlotsTest::csvIsWhatIsShown() {
   const auto [lower, upper] = plots().shownRange();
   action("actionPlotCopy")->trigger();
   lines = csvLines(QApplication::clipboard()->text());
-  QVERIFY(lines.size() > 1 && lines.size() - 1 < window_->shown()->iterations);
+  QVERIFY(lines.size() > 1 && lines.size() - 1 < window_->shown()->iterationCount);
   for (const QString& line : lines.mid(1)) {
     const double iteration = line.section(QLatin1Char(','), 0, 0).toDouble();
     QVERIFY(iteration >= lower && iteration <= upper);
@@ -378,11 +378,11 @@ void PlotsTest::picturesCanBeRead() {
 void PlotsTest::restartBeginsAnew() {
   openTrajectory();
   action("actionRestart")->trigger();
-  QVERIFY(waitFor([this] { return window_->shown()->iterations == 0; }));
+  QVERIFY(waitFor([this] { return window_->shown()->iterationCount == 0; }));
   action("actionNextFrame")->trigger();
   QVERIFY(waitFor([this] { return table().model()->rowCount() == 1; }));
   QCOMPARE(window_->findChild<PlotPanel*>()->shownIterationCount(),
-           static_cast<int>(window_->shown()->iterations));
+           static_cast<int>(window_->shown()->iterationCount));
 }
 
 DEWPOINT_WINDOW_TEST(PlotsTest)

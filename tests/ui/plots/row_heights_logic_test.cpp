@@ -20,12 +20,12 @@ bool isWholeAtBothEnds(const std::vector<int>& heights, int visible) {
 }
 
 TEST(RowHeights, RowsThatFitNeedNone) {
-  EXPECT_TRUE(wholeRowHeights({40, 30, 30}, 100).empty());
-  EXPECT_TRUE(wholeRowHeights({}, 100).empty());
+  EXPECT_TRUE(heightsForWholeRows({40, 30, 30}, 100).empty());
+  EXPECT_TRUE(heightsForWholeRows({}, 100).empty());
 }
 
 TEST(RowHeights, TheFirstRowsFillWhatIsVisible) {
-  const std::vector<int> heights = wholeRowHeights({40, 40, 40, 40}, 100);
+  const std::vector<int> heights = heightsForWholeRows({40, 40, 40, 40}, 100);
   EXPECT_EQ(heights, (std::vector{50, 50, 50, 50})); // the last two as well
 }
 
@@ -35,7 +35,7 @@ TEST(RowHeights, NoRowIsCutAtEitherEnd) {
   for (const std::vector<int>& least : stacks) {
     const int all = std::accumulate(least.begin(), least.end(), 0);
     for (int visible = std::max(least.front(), least.back()); visible < all; ++visible) {
-      const std::vector<int> heights = wholeRowHeights(least, visible);
+      const std::vector<int> heights = heightsForWholeRows(least, visible);
       ASSERT_EQ(heights.size(), least.size());
       EXPECT_TRUE(isWholeAtBothEnds(heights, visible)) << visible;
       for (std::size_t k = 0; k < least.size(); ++k) {
@@ -46,7 +46,7 @@ TEST(RowHeights, NoRowIsCutAtEitherEnd) {
 }
 
 TEST(RowHeights, TooLittleRoomForOneRowIsNotDivided) {
-  EXPECT_EQ(wholeRowHeights({76, 40}, 60), (std::vector{76, 40}));
+  EXPECT_EQ(heightsForWholeRows({76, 40}, 60), (std::vector{76, 40}));
 }
 
 } // namespace

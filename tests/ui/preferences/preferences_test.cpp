@@ -29,13 +29,13 @@ void PreferencesTest::atFirstThereIsNone() {
   QVERIFY(preferences.windowGeometry().isEmpty());
   QVERIFY(preferences.recentProjects().isEmpty());
   QVERIFY(preferences.lastFolder().isEmpty());
-  QCOMPARE(preferences.threadCountForFilter(), 0);
+  QCOMPARE(preferences.filterThreadCount(), 0);
   QVERIFY(!preferences.shortcut(QStringLiteral("actionPlay")));
   QVERIFY(!preferences.shownPlots());
-  QVERIFY(preferences.plotsOverTime());
+  QVERIFY(preferences.showsPlotsOverTime());
   const BoardPreferences otherwise{QStringLiteral("some board"), 1, false, true, 0.25, 0.5};
   const BoardPreferences board = preferences.boardPreferences(otherwise);
-  QCOMPARE(board.board, otherwise.board);
+  QCOMPARE(board.boardText, otherwise.boardText);
   QCOMPARE(board.lensModel, 1);
   QVERIFY(!board.calibratesIntrinsics);
   QVERIFY(board.calibratesPositions);
@@ -70,9 +70,9 @@ void PreferencesTest::whatEarlierVersionsWroteIsRead() {
            std::optional(QKeySequence(Qt::CTRL | Qt::Key_J)));
   QCOMPARE(preferences.shortcut(QStringLiteral("actionRestart")), std::optional(QKeySequence()));
   QCOMPARE(preferences.shownPlots(), std::optional(QStringList{QStringLiteral("error")}));
-  QVERIFY(!preferences.plotsOverTime());
+  QVERIFY(!preferences.showsPlotsOverTime());
   const BoardPreferences board = preferences.boardPreferences({});
-  QCOMPARE(board.board, QStringLiteral("chessboard 9 6 0.03"));
+  QCOMPARE(board.boardText, QStringLiteral("chessboard 9 6 0.03"));
   QCOMPARE(board.lensModel, 2);
   QVERIFY(!board.calibratesIntrinsics);
   QVERIFY(board.calibratesPositions);
@@ -90,7 +90,7 @@ void PreferencesTest::whatIsSetIsThereAtTheNextStart() {
   before.setShortcut(QStringLiteral("actionRestart"), QKeySequence(Qt::Key_Y));
   before.setShortcut(QStringLiteral("actionRestart"), std::nullopt); // as declared again
   before.setShownPlots({});
-  before.setPlotsOverTime(false); // not the default
+  before.setShowsPlotsOverTime(false); // not the default
   QTemporaryDir folder;
   before.setLastFolder(folder.path());
   QSettings().sync();
@@ -98,11 +98,11 @@ void PreferencesTest::whatIsSetIsThereAtTheNextStart() {
   QCOMPARE(after.theme(), Theme::Light);
   QCOMPARE(after.language(), QStringLiteral("ja"));
   QCOMPARE(after.windowGeometry(), QByteArray("geometry"));
-  QCOMPARE(after.threadCountForFilter(), 3);
+  QCOMPARE(after.filterThreadCount(), 3);
   QCOMPARE(after.shortcut(QStringLiteral("actionPlay")), std::optional(QKeySequence(Qt::Key_X)));
   QVERIFY(!after.shortcut(QStringLiteral("actionRestart")));
   QCOMPARE(after.shownPlots(), std::optional(QStringList())); // none is a choice, too
-  QVERIFY(!after.plotsOverTime());
+  QVERIFY(!after.showsPlotsOverTime());
   QCOMPARE(after.lastFolder(), folder.path());
   before.setLastFolder(QStringLiteral("/"));
   QCOMPARE(after.lastFolder(), QStringLiteral("/"));

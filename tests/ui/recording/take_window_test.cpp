@@ -102,7 +102,7 @@ bool TakeWindowTest::records(std::int64_t images) {
   return waitFor([&] {
     const TakeStatus take = takes().status();
     return !take.cameras.empty() && std::ranges::all_of(take.cameras, [&](const auto& camera) {
-      return camera.counts.images >= images;
+      return camera.counts.imageCount >= images;
     });
   });
 }
@@ -179,7 +179,7 @@ void TakeWindowTest::numberAndNotesAreThoseOfTheUser() {
   writes(QStringLiteral("first try"), 7);
   QVERIFY(waitFor([this] { return action("actionRecord")->isEnabled(); }));
   QVERIFY(records(5));
-  QCOMPARE(takes().status().number, 7);
+  QCOMPARE(takes().status().takeNumber, 7);
   QCOMPARE(notesOf("take-007"), QStringLiteral("first try"));
   action("actionTakeNotes")->trigger(); // while
   writes(QStringLiteral("good"), std::nullopt);
@@ -194,7 +194,7 @@ void TakeWindowTest::numberAndNotesAreThoseOfTheUser() {
   // The next number follows, and notes are those of one take.
   QVERIFY(waitFor([this] { return action("actionRecord")->isEnabled(); }));
   QVERIFY(records(5));
-  QCOMPARE(takes().status().number, 8);
+  QCOMPARE(takes().status().takeNumber, 8);
   QCOMPARE(notesOf("take-008"), QString());
 }
 
@@ -208,7 +208,7 @@ void TakeWindowTest::aTakeBeginsBeforeItsStart() {
   const auto& feeds = window_->workbench().session.encodedFeeds();
   QVERIFY(waitFor([&] {
     return std::ranges::all_of(feeds,
-                               [](const auto& feed) { return feed->preRoll().images >= 20; });
+                               [](const auto& feed) { return feed->preRoll().imageCount >= 20; });
   }));
   QVERIFY(records(5));
   const TakeStatus take = takes().status();
@@ -218,7 +218,7 @@ void TakeWindowTest::aTakeBeginsBeforeItsStart() {
     const TakeStatus now = takes().status();
     return std::ranges::all_of(now.cameras, [](const auto& camera) {
       return camera.counts.preRollImageCount >= 15 &&
-             camera.counts.images > camera.counts.preRollImageCount;
+             camera.counts.imageCount > camera.counts.preRollImageCount;
     });
   }));
   QSignalSpy stopped(&takes(), &TakeController::stopped);
@@ -255,14 +255,14 @@ void TakeWindowTest::aTakeIsComparedWithTheLiveRun() {
 void TakeWindowTest::aRemoteCommandNamesTheTake() {
   openLive();
   QVERIFY(window_->workbench().document.edit(QStringLiteral("Set outputs"), [](Project& project) {
-    project.output.tcp = 0;
+    project.output.tcpPort = 0;
     project.output.token = "word-to-know";
   }));
   auto& outputs = *window_->findChild<OutputController*>();
   QSignalSpy sending(&outputs, &OutputController::changed);
   action("actionSendResults")->trigger();
   QVERIFY(outputs.isSending() || sending.wait(kTimeoutMs));
-  const std::string place = outputs.reports().at(0).address;
+  const std::string place = outputs.outletReports().at(0).address;
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port =

@@ -55,11 +55,11 @@ inline std::shared_ptr<TrackSnapshot> ballSnapshot(const Eigen::Vector3d& ball =
   std::get<SphereEstimate>(shown.estimate).covariance =
       Eigen::Vector3d(0.0064, 0.0064, 0.0025).asDiagonal();
   std::get<SphereEstimate>(shown.estimate).particleCount = kCount;
-  std::get<SphereEstimate>(shown.estimate).valid = true;
+  std::get<SphereEstimate>(shown.estimate).isValid = true;
   for (int i = 0; i < 40; ++i) {
     const double back = 0.03 * (39 - i);
-    shown.tail.emplace_back(ball.x() - back, ball.y() + 0.4 * std::sin(1.5 * back),
-                            ball.z() - 0.2 * back);
+    shown.tailPositions.emplace_back(ball.x() - back, ball.y() + 0.4 * std::sin(1.5 * back),
+                                     ball.z() - 0.2 * back);
   }
   shown.truth = ball + Eigen::Vector3d(0.02, 0.01, -0.01);
   snapshot->targets.push_back(shown);

@@ -142,7 +142,7 @@ private Q_SLOTS:
     QCOMPARE(view_->cloudInset().targetToEnlarge(*view_, -1), 0);
     QCOMPARE(view_->cloudInset().targetToEnlarge(*view_, 0), 0);
     const double ratio = view_->devicePixelRatioF();
-    const QPointF middle = SceneInset::area(*view_).center() * ratio;
+    const QPointF middle = SceneInset::usualArea(*view_).center() * ratio;
     // Particles of the target's color about the middle of the inset.
     QVERIFY(blob(with, middle, 45.0 * ratio).count > 100);
     // Nearer, it is seen in the picture itself.
@@ -321,20 +321,20 @@ private Q_SLOTS:
     MeanPath path;
     TrackSnapshot snapshot = *ballSnapshot();
     auto& sphere = std::get<SphereEstimate>(snapshot.targets[0].estimate);
-    sphere.valid = false;
+    sphere.isValid = false;
     for (int i = 1; i <= 70; ++i) {
-      snapshot.iterations = i;
+      snapshot.iterationCount = i;
       sphere.mean.x() = 0.01 * i;
       path.add(snapshot);
       path.add(snapshot); // shown once more, of the same iteration
     }
     QCOMPARE(path.positionsOf(0).size(), MeanPath::kMaxPositions);
     QCOMPARE(path.positionsOf(0).back().x(), 0.70);
-    snapshot.iterations = 1; // restarted
+    snapshot.iterationCount = 1; // restarted
     path.add(snapshot);
     QCOMPARE(path.positionsOf(0).size(), std::size_t{1});
-    snapshot.iterations = 2;
-    sphere.valid = true;
+    snapshot.iterationCount = 2;
+    sphere.isValid = true;
     path.add(snapshot);
     QVERIFY(path.positionsOf(0).empty());
     QVERIFY(path.positionsOf(7).empty());
@@ -342,12 +342,12 @@ private Q_SLOTS:
 
   void theWayOfTheMeanIsDrawn() {
     const auto first = ballSnapshot();
-    first->targets[0].tail.clear();
-    std::get<SphereEstimate>(first->targets[0].estimate).valid = false;
-    first->iterations = 1;
+    first->targets[0].tailPositions.clear();
+    std::get<SphereEstimate>(first->targets[0].estimate).isValid = false;
+    first->iterationCount = 1;
     const auto second = std::make_shared<TrackSnapshot>(*first);
     std::get<SphereEstimate>(first->targets[0].estimate).mean.x() -= 1.0;
-    second->iterations = 2;
+    second->iterationCount = 2;
     view_->setSnapshot(second);
     const QImage without = view_->currentImage();
     view_->setSnapshot(first); // begins the path again

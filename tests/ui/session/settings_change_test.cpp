@@ -47,7 +47,7 @@ private:
   void trackSome(Again again = Again::Quick);
   ResultRefresher& results() { return window_->workbench().session.resultRefresher(); }
   bool areOld(const std::vector<ResultRange>& frames) {
-    return waitFor([&] { return results().oldResults().frames == frames; });
+    return waitFor([&] { return results().oldResults().frameRanges == frames; });
   }
   /// All results are of these settings: with this value of a parameter.
   bool areRenewed(const char* key, double value) {
@@ -56,7 +56,7 @@ private:
       const auto entry =
           std::ranges::find(header, std::string(key), &std::pair<std::string, std::string>::first);
       return entry != header.end() && std::stod(entry->second) == value &&
-             results().oldResults().frames.empty() &&
+             results().oldResults().frameRanges.empty() &&
              results().oldResults().newestFrame == kTrackedAtFirst - 1 && !results().isRefreshing();
     });
   }
@@ -67,14 +67,15 @@ private:
 
 void SettingsChangeTest::trackSome(Again again) {
   makeWindow({.theme = Theme::Light, .play = false});
-  results().setQuickLimit(again == Again::Quick ? std::numeric_limits<double>::infinity() : 0.0);
+  results().setQuickRerunLimit(again == Again::Quick ? std::numeric_limits<double>::infinity()
+                                                     : 0.0);
   open();
   QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame == 0; }));
   for (qint64 frame = 1; frame < kTrackedAtFirst; ++frame) {
     action("actionNextFrame")->trigger();
   }
   QVERIFY(waitFor([this] { return results().oldResults().newestFrame == kTrackedAtFirst - 1; }));
-  QVERIFY(results().oldResults().frames.empty());
+  QVERIFY(results().oldResults().frameRanges.empty());
   QVERIFY(!action("actionTrackAgain")->isEnabled());
 }
 
@@ -132,7 +133,7 @@ void SettingsChangeTest::anotherTargetIsTrackedOverAllFrames() {
   const auto areRecorded = [this](std::size_t targets) {
     return waitFor([&] {
       const auto& records = find<Timeline>("timeline")->model().records;
-      return results().oldResults().frames.empty() &&
+      return results().oldResults().frameRanges.empty() &&
              records.size() == std::size_t{kTrackedAtFirst} &&
              std::ranges::all_of(records, [&](const FrameRecord& record) {
                return record.targets.size() == targets;
@@ -153,17 +154,18 @@ void SettingsChangeTest::aChangeWhilePlayingHoldsFromThereOn() {
   QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame > kTrackedAtFirst + 2; }));
   const double before = window_->document().project().parameters.at("particles");
   QVERIFY(window_->document().setParameter("particles", before + 100.0));
-  QVERIFY(waitFor([this] { return !results().oldResults().frames.empty(); }));
-  const ResultRange old = results().oldResults().frames.front();
-  QCOMPARE(old.first, 0);
-  QVERIFY(waitFor([&] { return shown().history.newestTrackedFrame > old.last + 2; })); // it goes on
-  QCOMPARE(results().oldResults().frames, std::vector<ResultRange>{old});
+  QVERIFY(waitFor([this] { return !results().oldResults().frameRanges.empty(); }));
+  const ResultRange old = results().oldResults().frameRanges.front();
+  QCOMPARE(old.firstFrame, 0);
+  QVERIFY(waitFor(
+      [&] { return shown().history.newestTrackedFrame > old.lastFrame + 2; })); // it goes on
+  QCOMPARE(results().oldResults().frameRanges, std::vector<ResultRange>{old});
   QCOMPARE(messageText(), QString());
   action("actionPlay")->trigger();
   QVERIFY(waitFor([this] { return shown().state == PlayState::Paused; }));
   QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("earlier settings")); }));
   letTimePass(500);
-  QCOMPARE(results().oldResults().frames,
+  QCOMPARE(results().oldResults().frameRanges,
            std::vector<ResultRange>{old}); // nobody asked to track it again
 }
 

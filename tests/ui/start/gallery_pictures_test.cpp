@@ -77,7 +77,7 @@ QImage GalleryPicturesTest::cameraPicture(int camera) {
   const QImage whole = pictureIn(QStringLiteral("cameraDock%1").arg(camera), {640, 720});
   const auto* view = find<CameraView>(QStringLiteral("cameraView%1").arg(camera));
   const QSizeF size = QSizeF(view->imageSize()) * view->placement().scale;
-  return whole.copy(QRectF(view->placement().corner, size).toAlignedRect());
+  return whole.copy(QRectF(view->placement().topLeft, size).toAlignedRect());
 }
 
 /// The largest part of a picture that has the shape of `size`, or a share of it, with its middle as

@@ -329,7 +329,7 @@ void NewPageTest::connectedCamerasAreStoredWithTheirIdentities() {
     const capture::CameraDevice device = test::fakeWebcam(k + 1, k == 0 ? "A" : "B");
     QCOMPARE(camera.source, SourceKind::Device);
     QVERIFY(camera.device.identity == device.identity);
-    QCOMPARE(camera.location, device.address);
+    QCOMPARE(camera.location, device.stablePath);
   }
 }
 

@@ -262,7 +262,7 @@ void StartAndActionsTest::oneClickLearnsAColorAndTracksIt() {
   const auto at = Projector(demoRig()[0]).project({0.5, 0.5, 0.15});
   auto* view = find<CameraView>("cameraView0");
   QVERIFY(waitFor([&] { return !view->imageSize().isEmpty(); }));
-  const QPointF place = view->placement().corner +
+  const QPointF place = view->placement().topLeft +
                         (QPointF(at->x(), at->y()) + QPointF(0.5, 0.5)) * view->placement().scale;
   auto* layer = find<ImagePickOverlay>("cameraView0Pick");
   QTest::mouseClick(layer, Qt::LeftButton, Qt::NoModifier, place.toPoint());
@@ -270,7 +270,7 @@ void StartAndActionsTest::oneClickLearnsAColorAndTracksIt() {
   QVERIFY(action("actionShowMask")->isChecked()); // all cameras show what was learned
   QVERIFY(waitFor([this] {
     const auto& targets = window_->shown()->targets;
-    return !targets.empty() && std::get<SphereEstimate>(targets[0].estimate).valid &&
+    return !targets.empty() && std::get<SphereEstimate>(targets[0].estimate).isValid &&
            window_->shown()->frame > 2;
   }));
   // 35 mm: the ball's radius; the path of eight frames is shorter.
@@ -280,7 +280,7 @@ void StartAndActionsTest::oneClickLearnsAColorAndTracksIt() {
   // The other camera was found to show the same.
   QCOMPARE(find<QListWidget>("colorSamples")->count(), 2);
   const auto samples = [this] { return window_->document().project().targets[0].samples; };
-  QVERIFY(!samples()[0].found && samples()[1].found);
+  QVERIFY(!samples()[0].isFoundByGeometry && samples()[1].isFoundByGeometry);
   QCOMPARE(samples()[1].camera, 1);
   const auto other = Projector(demoRig()[1]).project({0.5, 0.5, 0.15});
   QVERIFY(std::hypot(samples()[1].x - other->x(), samples()[1].y - other->y()) <
@@ -293,9 +293,9 @@ void StartAndActionsTest::oneClickLearnsAColorAndTracksIt() {
   QVERIFY(listed->item(0)->text() != listed->item(1)->text());
   // The same with Ctrl excludes, where a desktop keeps Alt for itself. The place: a red-free one.
   QTest::mouseClick(layer, Qt::LeftButton, Qt::ShiftModifier | Qt::ControlModifier,
-                    view->placement().corner.toPoint() + QPoint(5, 5));
+                    view->placement().topLeft.toPoint() + QPoint(5, 5));
   QVERIFY(waitFor([this] { return find<QListWidget>("colorSamples")->count() == 4; }));
-  QVERIFY(samples()[2].excluded && !samples()[1].excluded);
+  QVERIFY(samples()[2].isExcluded && !samples()[1].isExcluded);
   action("actionUndo")->trigger();
   QVERIFY(waitFor([this] { return find<QListWidget>("colorSamples")->count() == 3; }));
   find<QListWidget>("colorSamples")->setCurrentRow(1);
@@ -304,7 +304,7 @@ void StartAndActionsTest::oneClickLearnsAColorAndTracksIt() {
   // What was found and is taken away is not the target, and is not found again.
   find<QListWidget>("colorSamples")->setCurrentRow(1);
   QTest::mouseClick(find<QPushButton>("colorRemoveSample"), Qt::LeftButton);
-  QVERIFY(waitFor([&] { return samples()[1].excluded; }));
+  QVERIFY(waitFor([&] { return samples()[1].isExcluded; }));
   QCOMPARE(samples().size(), std::size_t{2});
   for (int i = 0; i < 4; ++i) {
     action("actionUndo")->trigger();

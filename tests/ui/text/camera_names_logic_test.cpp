@@ -46,7 +46,7 @@ TEST(CameraNames, WhereSomethingElseMatchesIsNamedToo) {
   region.camera = 1;
   region.color = ColorName::Red;
   assessment.distractors.push_back(region);
-  Q_EMIT learner->assessed(assessment);
+  Q_EMIT learner->colorAssessed(assessment);
   const QString text = panel.findChild<QLabel*>(QStringLiteral("colorAssessment"))->text();
   EXPECT_TRUE(text.contains(QStringLiteral("in the image of camera 2, "))) << qPrintable(text);
 }

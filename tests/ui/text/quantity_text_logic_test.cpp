@@ -89,11 +89,11 @@ TEST(QuantityText, RatesOfFramesHaveOneDecimal) {
 }
 
 TEST(QuantityText, AShareIsAllOrNothingOnlyWhenItIs) {
-  EXPECT_EQ(shareText(0.0), QStringLiteral("0 %"));
-  EXPECT_EQ(shareText(0.0001), QStringLiteral("1 %"));
-  EXPECT_EQ(shareText(0.9999), QStringLiteral("99 %"));
-  EXPECT_EQ(shareText(1.0), QStringLiteral("100 %"));
-  EXPECT_EQ(percentText(0.0012, 2), QStringLiteral("0.12"));
+  EXPECT_EQ(percentText(0.0), QStringLiteral("0 %"));
+  EXPECT_EQ(percentText(0.0001), QStringLiteral("1 %"));
+  EXPECT_EQ(percentText(0.9999), QStringLiteral("99 %"));
+  EXPECT_EQ(percentText(1.0), QStringLiteral("100 %"));
+  EXPECT_EQ(percentNumber(0.0012, 2), QStringLiteral("0.12"));
 }
 
 TEST(QuantityText, DurationsAndPixelsHaveTheirUnits) {

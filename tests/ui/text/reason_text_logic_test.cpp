@@ -37,9 +37,9 @@ TEST(ReasonText, AnImageSaysThatTheTargetIsHiddenInIt) {
             "not in this image");
   EXPECT_EQ(cameraReasonTextInImage({CameraStatus::Dark, 0.0}).toStdString(), "too dark");
   EXPECT_EQ(cameraBlindText({CameraStatus::Hidden, 0.0}).toStdString(), "◌ hidden here");
-  EXPECT_TRUE(isBlind({CameraStatus::OutOfView, 0.0}));
-  EXPECT_FALSE(isBlind({CameraStatus::PartlyHidden, 0.0}));
-  EXPECT_FALSE(isBlind({CameraStatus::None, 0.0}));
+  EXPECT_TRUE(isCameraBlind({CameraStatus::OutOfView, 0.0}));
+  EXPECT_FALSE(isCameraBlind({CameraStatus::PartlyHidden, 0.0}));
+  EXPECT_FALSE(isCameraBlind({CameraStatus::None, 0.0}));
 }
 
 TEST(ReasonText, OnlyCamerasInTroubleAreNamed) {

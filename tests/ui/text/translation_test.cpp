@@ -74,7 +74,7 @@ QStringList textsOf(const QWidget& widget) {
 }
 
 /// A child of a QLineEdit, a tab bar and the like speaks Qt's language, not ours.
-bool isOurs(const QObject& object) {
+bool isDewpointMethod(const QObject& object) {
   return qobject_cast<const QTabBar*>(object.parent()) == nullptr &&
          !object.objectName().startsWith(QStringLiteral("qt_"));
 }
@@ -121,7 +121,7 @@ QStringList untranslatedTexts(const MainWindow& window) {
   QStringList found;
   const auto check = [&](const QObject& object, const QStringList& texts) {
     for (const QString& text : texts) {
-      if (isOurs(object) && !names.contains(text) && isUntranslated(text)) {
+      if (isDewpointMethod(object) && !names.contains(text) && isUntranslated(text)) {
         found.append(object.objectName() + QStringLiteral(": ") + text);
       }
     }
@@ -144,7 +144,7 @@ void TranslationTest::everyTextOfTheWindowIsTranslated() {
   QCoreApplication::removeTranslator(&marking);
 
   // What the window asked for, the catalogs have, under the same context.
-  for (const QString& language : languages()) {
+  for (const QString& language : availableLanguages()) {
     QTranslator catalog;
     QVERIFY(catalog.load(QStringLiteral(":/translations/dewpoint_") + language));
     for (const auto& [context, text] : marking.asked) {
@@ -166,7 +166,7 @@ void TranslationTest::everyTextFollowsAChangeOfLanguage() {
 }
 
 void TranslationTest::theLanguageIsUsed() {
-  QVERIFY(languages().contains(QStringLiteral("de")));
+  QVERIFY(availableLanguages().contains(QStringLiteral("de")));
   useLanguage(QStringLiteral("de"));
   makeWindow();
   // The German catalog's word for "Restart", and a decimal comma.
@@ -276,7 +276,7 @@ void TranslationTest::titlesOfTheGapsAreWhole() {
   useLanguage(QStringLiteral("en"));
   trackDemo();
   auto* gaps = window_->findChild<GapList*>();
-  for (const QString& language : languages()) {
+  for (const QString& language : availableLanguages()) {
     window_->setLanguage(language);
     const auto fits = [&](int column) {
       return gaps->columnWidth(column) >= gaps->horizontalHeader()->sectionSizeHint(column);

@@ -28,7 +28,7 @@ TEST(TimelineColors, BesideEachNameIsTheColorOfTheTarget) {
     QPainter painter(&picture);
     paintTimeline(painter, model, scale, rows, Selection(), -1, palette);
     painter.end();
-    const auto colors = targetColors(model.colorSources, displayGroundOf(palette));
+    const auto colors = targetColors(model.colorSources, displayBackgroundOf(palette));
     for (int k = 0; k < 2; ++k) {
       const QPoint chip(3, qRound(rows.ribbonArea(k).center().y()));
       EXPECT_EQ(picture.pixelColor(chip).rgb(), colors[static_cast<std::size_t>(k)].rgb()) << k;
@@ -51,7 +51,7 @@ TEST(TimelineFooter, SaysOnlyWhatIsTrackedAgain) {
   const QPalette palette = themePalette(false);
   const auto hasText = [&] {
     const TimelineRows rows(kTimelineSize, 1, 0, 16.0, 100.0, model.rerun.has_value());
-    EXPECT_EQ(rows.footer.height() > 0.0, model.rerun.has_value());
+    EXPECT_EQ(rows.footerArea.height() > 0.0, model.rerun.has_value());
     QImage picture(kTimelineSize, QImage::Format_RGB32);
     picture.fill(palette.color(QPalette::Window));
     const QImage empty = picture;

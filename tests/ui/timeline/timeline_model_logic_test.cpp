@@ -64,23 +64,23 @@ TEST(TimelineModel, SaysWhichTargetWasCorrectedAndWhere) {
 
 TEST(TimelineModel, TheNearestMarkerInEitherDirectionIsTheNextOne) {
   TimelineModel model;
-  EXPECT_FALSE(model.nextMarker(3, 1));
+  EXPECT_FALSE(model.nextMarkerFrame(3, 1));
   model.markers = {{3, "a"}, {8, "b"}, {20, "c"}};
-  EXPECT_EQ(model.nextMarker(3, 1), 8);
-  EXPECT_EQ(model.nextMarker(9, -1), 8);
-  EXPECT_FALSE(model.nextMarker(3, -1));
-  EXPECT_FALSE(model.nextMarker(20, 1));
+  EXPECT_EQ(model.nextMarkerFrame(3, 1), 8);
+  EXPECT_EQ(model.nextMarkerFrame(9, -1), 8);
+  EXPECT_FALSE(model.nextMarkerFrame(3, -1));
+  EXPECT_FALSE(model.nextMarkerFrame(20, 1));
 }
 
 TEST(TimelineModel, TheSourceTellsTheRateUntilTimeStampsDo) {
   TimelineModel model;
-  model.setSourceRate(0.0); // unknown
+  model.setSourceFrameRate(0.0); // unknown
   EXPECT_DOUBLE_EQ(model.framesPerSecond, 30.0);
-  model.setSourceRate(8.0);
+  model.setSourceFrameRate(8.0);
   EXPECT_DOUBLE_EQ(model.secondsOf(300), 37.5);
   model.append({record(0), record(1)}, true);
   EXPECT_DOUBLE_EQ(model.framesPerSecond, 25.0);
-  model.setSourceRate(8.0);
+  model.setSourceFrameRate(8.0);
   EXPECT_DOUBLE_EQ(model.framesPerSecond, 25.0);
 }
 

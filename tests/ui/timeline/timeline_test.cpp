@@ -263,7 +263,7 @@ void TimelineTest::troubleIsFoundInBothDirections() {
 }
 
 void TimelineTest::rangesAreSelectedAndZoomedTo() {
-  QSignalSpy ranges(&window_->selection(), &Selection::rangeChanged);
+  QSignalSpy ranges(&window_->selection(), &Selection::selectedRangeChanged);
   const int axis = 5;
   const QPoint begin(timeline_->positionOf(5).x(), axis);
   const QPoint end(timeline_->positionOf(25).x(), axis);

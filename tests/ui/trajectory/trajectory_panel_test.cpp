@@ -34,7 +34,7 @@ std::vector<TrajectorySample> circle(std::int64_t frames) {
     sample.time = static_cast<double>(frame) / 30.0;
     sample.target = "ball";
     sample.position = {std::cos(2.0 * sample.time), std::sin(2.0 * sample.time), 1.0};
-    sample.valid = frame < 40 || frame >= 50;
+    sample.isValid = frame < 40 || frame >= 50;
     samples.push_back(sample);
   }
   return samples;
@@ -125,7 +125,7 @@ void TrajectoryPanelTest::speedHeightAndGaps() {
 
 void TrajectoryPanelTest::chosenGapIsTheRange() {
   follow(circle(100));
-  QSignalSpy chosen(&selection_, &Selection::rangeChanged);
+  QSignalSpy chosen(&selection_, &Selection::selectedRangeChanged);
   panel_->findChild<GapList*>()->selectRow(0);
   QCOMPARE(chosen.size(), 1);
   QCOMPARE(selection_.selectedRange(), std::optional(SelectedRange{40, 49}));
@@ -225,9 +225,9 @@ void TrajectoryPanelTest::longRunsAreBounded() {
   QCOMPARE(series.row(series.size() - 1).iteration, kIterations - 1);
   // The newest are there in full.
   QCOMPARE(series.row(series.size() - 1000).iteration, kIterations - 1000);
-  const auto line = series.line(0, PlotAxis::Iterations, 0.0, kIterations, 800);
-  QVERIFY(line.keys.size() <= 2 * 802);
-  QVERIFY(std::ranges::is_sorted(line.keys));
+  const auto line = series.curvePoints(0, PlotAxis::Iterations, 0.0, kIterations, 800);
+  QVERIFY(line.axisPositions.size() <= 2 * 802);
+  QVERIFY(std::ranges::is_sorted(line.axisPositions));
 }
 
 void TrajectoryPanelTest::drawingKeepsTheExtremes() {
@@ -237,7 +237,7 @@ void TrajectoryPanelTest::drawingKeepsTheExtremes() {
     const float value = i == 12345 ? 99.0F : i == 777 ? -99.0F : 1.0F;
     series.append({i, i, static_cast<double>(i)}, std::span(&value, 1));
   }
-  const auto line = series.line(0, PlotAxis::Iterations, 0.0, 20000.0, 300);
+  const auto line = series.curvePoints(0, PlotAxis::Iterations, 0.0, 20000.0, 300);
   QCOMPARE(std::ranges::max(line.values), 99.0);
   QCOMPARE(std::ranges::min(line.values), -99.0);
 }
@@ -249,7 +249,7 @@ void TrajectoryPanelTest::timeShowsTheLastIterationOfAFrame() {
     const auto value = static_cast<float>(i);
     series.append({i, i / 3, static_cast<double>(i / 3)}, std::span(&value, 1)); // 3 per frame
   }
-  const auto line = series.line(0, PlotAxis::Time, 0.0, 9.0, 300);
+  const auto line = series.curvePoints(0, PlotAxis::Time, 0.0, 9.0, 300);
   QCOMPARE(line.values.size(), std::size_t{10});
   QCOMPARE(line.values[4], 14.0); // frame 4: iterations 12, 13, 14
   QCOMPARE(series.row(*series.nearestRow(PlotAxis::Time, 4.1)).iteration, 14);
@@ -258,25 +258,25 @@ void TrajectoryPanelTest::timeShowsTheLastIterationOfAFrame() {
 
 void TrajectoryPanelTest::longRunsAreDrawnFromFewPoints() {
   PlotStack stack;
-  stack.setPlots(runPlots({QStringLiteral("left"), QStringLiteral("right")}));
+  stack.setPlots(plotsOfRun({QStringLiteral("left"), QStringLiteral("right")}));
   stack.setShownPlots({QStringLiteral("spread"), QStringLiteral("sampleSize"),
                        QStringLiteral("likelihood"), QStringLiteral("error")});
   PlotSeries series;
-  series.reset(runPlotColumnCount(2));
+  series.reset(columnCountOfRunPlots(2));
   IterationRecord record;
-  record.cameras.resize(2);
+  record.cameraEvidence.resize(2);
   for (std::int64_t i = 0; i < 40000; ++i) {
     const double wave = std::sin(0.37 * static_cast<double>(i * i % 1009));
     record.iteration = i + 1;
     record.frame = i;
-    record.time = static_cast<double>(i) / 30.0;
+    record.frameTime = static_cast<double>(i) / 30.0;
     record.spreadPerAxis = Eigen::Vector3d(0.01, 0.02, 0.03) * (1.5 + wave);
     record.position = Eigen::Vector3d(0.5, 0.1 * wave, 0.2);
     record.truth = Eigen::Vector3d(0.5, 0.0, 0.2);
     record.effectiveSampleSize = 100.0 + 50.0 * wave;
     record.particleCount = 200;
-    record.error = 0.02 * (1.1 + wave);
-    for (CameraEvidence& camera : record.cameras) {
+    record.distanceToTruth = 0.02 * (1.1 + wave);
+    for (CameraEvidence& camera : record.cameraEvidence) {
       camera = {true, -20.0 + wave, 0.9, 1.0};
     }
     appendIteration(series, record);
@@ -288,16 +288,16 @@ void TrajectoryPanelTest::longRunsAreDrawnFromFewPoints() {
   QVERIFY(waitFor([&] { return stack.drawnPointCount() > 0; }));
   // Eight curves, two points for each of at most 1400 pixels, and one beyond either end.
   QVERIFY(stack.drawnPointCount() <= 8 * (2 * 1400 + 4));
-  stack.showAll();
-  stack.showAll();
+  stack.showWholeRun();
+  stack.showWholeRun();
   qInfo("40,000 iterations, %d points: %.1f ms per drawing", stack.drawnPointCount(),
         stack.lastDrawingMs());
   // A short run is drawn more smoothly.
   stack.setShownPlots({QStringLiteral("position"), QStringLiteral("spread"),
                        QStringLiteral("sampleSize"), QStringLiteral("likelihood")});
   series.removeFrom(700);
-  stack.showAll();
-  stack.showAll();
+  stack.showWholeRun();
+  stack.showWholeRun();
   qInfo("700 iterations, %d points: %.1f ms per drawing", stack.drawnPointCount(),
         stack.lastDrawingMs());
 }

@@ -74,8 +74,8 @@ private Q_SLOTS:
     const QImage picture = view_->currentImage();
     keep(picture, "above");
     const Scene3d& scene = view_->scene();
-    const QPointF expected =
-        flatProjection(scene, picture, kBall.x(), kBall.y(), scene.focus().x(), scene.focus().y());
+    const QPointF expected = flatProjection(scene, picture, kBall.x(), kBall.y(),
+                                            scene.focalPoint().x(), scene.focalPoint().y());
     // Near enough that neither tail nor far particles count: the sphere alone, symmetric. The
     // truth's cross, 0.02 m aside, hides a few pixels.
     const Blob found = blob(picture, expected, 0.03 / scene.metersPerPixel());
@@ -84,7 +84,7 @@ private Q_SLOTS:
     QVERIFY(std::abs(found.center.y() - expected.y()) < 2.5 * view_->devicePixelRatioF());
     // The cloud reaches two sigma (0.16 m), far less than the mirrored place.
     const QPointF mirrored = flatProjection(scene, picture, kBall.x(), -kBall.y() + 0.4,
-                                            scene.focus().x(), scene.focus().y());
+                                            scene.focalPoint().x(), scene.focalPoint().y());
     QVERIFY(blob(picture, expected, 0.16 / scene.metersPerPixel()).count > 3 * found.count / 2);
     QCOMPARE(blob(picture, mirrored, 0.05 / scene.metersPerPixel()).count, 0);
   }
@@ -99,8 +99,8 @@ private Q_SLOTS:
     QCOMPARE(changed.count(), 1);
     QCOMPARE(view_->currentView(), Scene3d::View::Front);
     const Scene3d& scene = view_->scene();
-    const QPointF expected =
-        flatProjection(scene, front, kBall.x(), kBall.z(), scene.focus().x(), scene.focus().z());
+    const QPointF expected = flatProjection(scene, front, kBall.x(), kBall.z(),
+                                            scene.focalPoint().x(), scene.focalPoint().z());
     const Blob found = blob(front, expected, 0.03 / scene.metersPerPixel());
     QVERIFY(found.count > 20);
     QVERIFY(std::abs(found.center.x() - expected.x()) < 2.5 * view_->devicePixelRatioF());
@@ -117,20 +117,20 @@ private Q_SLOTS:
     const Scene3d& scene = view_->scene();
     QVERIFY((scene.rightAxisInWorld() - Eigen::Vector3d::UnitY()).norm() < 1e-9);
     QVERIFY((scene.upAxisInWorld() - Eigen::Vector3d::UnitZ()).norm() < 1e-9);
-    const QPointF expected =
-        flatProjection(scene, side, kBall.y(), kBall.z(), scene.focus().y(), scene.focus().z());
+    const QPointF expected = flatProjection(scene, side, kBall.y(), kBall.z(),
+                                            scene.focalPoint().y(), scene.focalPoint().z());
     const Blob found = blob(side, expected, 0.03 / scene.metersPerPixel());
     QVERIFY(found.count > 20);
     QVERIFY(std::abs(found.center.x() - expected.x()) < 2.5 * view_->devicePixelRatioF());
     QVERIFY(std::abs(found.center.y() - expected.y()) < 2.5 * view_->devicePixelRatioF());
     // From the side, the floor has no places to click.
-    view_->setPlacingPeople(true);
+    view_->setPersonPlacingMode(true);
     QCOMPARE(view_->currentView(), Scene3d::View::Above);
   }
 
   void darkAndFreeDiffer() {
     view_->setSnapshot(ballSnapshot());
-    view_->lookFreely();
+    view_->lookInPerspective();
     const QImage light = view_->currentImage();
     keep(light, "free");
     QPalette dark;
@@ -156,7 +156,7 @@ private Q_SLOTS:
     const QImage picture = view_->currentImage();
     const Scene3d& scene = view_->scene();
     const QPointF expected =
-        flatProjection(scene, picture, -0.6, 0.5, scene.focus().x(), scene.focus().y());
+        flatProjection(scene, picture, -0.6, 0.5, scene.focalPoint().x(), scene.focalPoint().y());
     QVERIFY(blob(picture, expected, 0.03 / scene.metersPerPixel()).count > 20);
     view_->setSnapshot(TrackSnapshotPtr{});
     QCOMPARE(blob(view_->currentImage(), expected, 0.2 / scene.metersPerPixel()).count, 0);
@@ -168,13 +168,13 @@ private Q_SLOTS:
     // Away from ball and cloud, and not yet faded: the cloud's sigma is 0.08 m, a place of the tail
     // every 0.03 m, the last of 40 at the ball.
     for (std::size_t i = 23; i < 31; ++i) {
-      torn->targets[0].tail[i].setConstant(kNaN);
+      torn->targets[0].tailPositions[i].setConstant(kNaN);
     }
     view_->setSnapshot(whole);
     const QImage before = view_->currentImage();
     const Scene3d& scene = view_->scene();
     const auto at = [&](std::size_t i) {
-      const Eigen::Vector2d place = scene.projectToImage(whole->targets[0].tail[i]);
+      const Eigen::Vector2d place = scene.projectToImage(whole->targets[0].tailPositions[i]);
       return QPointF(before.width() / 2.0 + place.x(), before.height() / 2.0 - place.y());
     };
     const QPointF inGap = at(27);
@@ -212,7 +212,7 @@ private Q_SLOTS:
     TargetSnapshot& target = snapshot->targets[0];
     target.particles.row(3).setConstant(kNaN);
     target.weights[5] = kNaN;
-    target.tail[2].x() = kNaN;
+    target.tailPositions[2].x() = kNaN;
     TargetSnapshot lost = target;
     std::get<SphereEstimate>(lost.estimate).mean.setConstant(kNaN);
     std::get<SphereEstimate>(lost.estimate).covariance.setConstant(kNaN);
@@ -228,9 +228,9 @@ private Q_SLOTS:
     view_->setSnapshot(snapshot);
     const QImage picture = view_->currentImage();
     const Scene3d& scene = view_->scene();
-    QVERIFY(std::isfinite(scene.metersPerPixel()) && scene.focus().allFinite());
-    const QPointF expected =
-        flatProjection(scene, picture, kBall.x(), kBall.y(), scene.focus().x(), scene.focus().y());
+    QVERIFY(std::isfinite(scene.metersPerPixel()) && scene.focalPoint().allFinite());
+    const QPointF expected = flatProjection(scene, picture, kBall.x(), kBall.y(),
+                                            scene.focalPoint().x(), scene.focalPoint().y());
     QVERIFY(blob(picture, expected, 0.045 / scene.metersPerPixel()).count > 20); // with the rim
   }
 
@@ -283,22 +283,22 @@ private Q_SLOTS:
   void draggingMovesAndDoubleClickRestores() {
     view_->setSnapshot(ballSnapshot());
     const QImage before = view_->currentImage();
-    const Eigen::Vector3d focus = view_->scene().focus();
+    const Eigen::Vector3d focus = view_->scene().focalPoint();
     QTest::mousePress(view_.get(), Qt::LeftButton, {}, {300, 200});
     QTest::mouseMove(view_.get(), {360, 220});
     QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, {360, 220});
     view_->currentImage();
     // 60 px to the right drag the room along: the focus goes left by as many meters.
     const double meters = view_->scene().metersPerPixel() * view_->devicePixelRatioF();
-    QVERIFY(std::abs(view_->scene().focus().x() - (focus.x() - 60.0 * meters)) < 2.0 * meters);
-    QVERIFY(std::abs(view_->scene().focus().y() - (focus.y() + 20.0 * meters)) < 2.0 * meters);
+    QVERIFY(std::abs(view_->scene().focalPoint().x() - (focus.x() - 60.0 * meters)) < 2.0 * meters);
+    QVERIFY(std::abs(view_->scene().focalPoint().y() - (focus.y() + 20.0 * meters)) < 2.0 * meters);
     QTest::mouseDClick(view_.get(), Qt::LeftButton, {}, {300, 200});
     QCOMPARE(differentPixels(before, view_->currentImage()), 0);
   }
 
   void orbitingTurnsTheFreeView() {
     view_->setSnapshot(ballSnapshot());
-    view_->lookFreely();
+    view_->lookInPerspective();
     const QImage before = view_->currentImage();
     QTest::mousePress(view_.get(), Qt::LeftButton, {}, {300, 200});
     QTest::mouseMove(view_.get(), {380, 230});
@@ -347,7 +347,8 @@ private Q_SLOTS:
     keep(picture, "map");
     const Scene3d& scene = view_->scene();
     const auto colorAt = [&](double x, double y) {
-      const QPointF at = flatProjection(scene, picture, x, y, scene.focus().x(), scene.focus().y());
+      const QPointF at =
+          flatProjection(scene, picture, x, y, scene.focalPoint().x(), scene.focalPoint().y());
       return picture.pixel(at.toPoint());
     };
     QVERIFY(qBlue(colorAt(-1.45, -1.45)) > qRed(colorAt(-1.45, -1.45)) + 40);
@@ -357,7 +358,7 @@ private Q_SLOTS:
     const auto west = scene.positionInMapLayer(scene.projectToImage({-1.45, -1.45, 0.0}));
     QVERIFY(west.has_value());
     QCOMPARE(cellAt(map->grid, *west), std::optional<std::size_t>(0));
-    look.volumeShown = true;
+    look.showsVolume = true;
     view_->showMap(map, look);
     QVERIFY(differentPixels(view_->currentImage(), picture) > 1000);
     view_->showMap(nullptr, look);
@@ -367,7 +368,7 @@ private Q_SLOTS:
 
   void withoutOpenGlTheWidgetStillWorks() {
     view_->setSnapshot(ballSnapshot());
-    view_->lookFreely();
+    view_->lookInPerspective();
     QTest::mouseClick(view_.get(), Qt::LeftButton, {}, {100, 100});
     QTest::keyClick(view_.get(), Qt::Key_Plus);
     const QImage shown = view_->grab().toImage();

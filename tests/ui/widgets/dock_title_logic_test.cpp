@@ -20,7 +20,7 @@ TEST(DockTitle, AReasonAloneStandsInPlaceOfTheState) {
   title.setReason(QStringLiteral("partly hidden"));
   EXPECT_FALSE(state->isHidden());
   const QColor plain = reason->palette().color(QPalette::WindowText);
-  title.setOnlyReason(QStringLiteral("◌ hidden here"));
+  title.showReasonInsteadOfState(QStringLiteral("◌ hidden here"));
   EXPECT_TRUE(state->isHidden());
   EXPECT_EQ(reason->text(), QStringLiteral("◌ hidden here"));
   EXPECT_EQ(reason->palette().color(QPalette::WindowText),

@@ -24,7 +24,7 @@ TEST(ImageGrid, TwoImagesStandAsTheyAreLargest) {
 TEST(ImageGrid, ImagesOfARowAreEquallyHighAndFillIt) {
   const std::array<double, 2> aspects{kWide, 1.0 / kWide};
   const ImageGrid grid = imageGridOf(aspects, {2000.0, 300.0 + kTitle}, kTitle, 2);
-  EXPECT_NEAR(grid.columnShares[0] / grid.columnShares[1], kWide * kWide, 1e-12);
+  EXPECT_NEAR(grid.columnWidthShares[0] / grid.columnWidthShares[1], kWide * kWide, 1e-12);
   EXPECT_NEAR(grid.maximumUsefulWidth, 300.0 * (kWide + 1.0 / kWide), 1e-9);
   EXPECT_NEAR(grid.imageArea, 300.0 * 300.0 * (kWide + 1.0 / kWide), 1e-6);
   // Just as wide as is useful, nothing is left over, and half as wide, half as high.
@@ -40,12 +40,12 @@ TEST(ImageGrid, SharesAddUp) {
     const std::vector<double> aspects(static_cast<std::size_t>(count), kWide);
     for (int columns = 1; columns <= count; ++columns) {
       const ImageGrid grid = imageGridOf(aspects, {800.0, 600.0}, kTitle, columns);
-      ASSERT_EQ(grid.columnShares.size(), static_cast<std::size_t>(columns));
-      for (const double share : grid.columnShares) { // one view less makes no wider column
+      ASSERT_EQ(grid.columnWidthShares.size(), static_cast<std::size_t>(columns));
+      for (const double share : grid.columnWidthShares) { // one view less makes no wider column
         EXPECT_NEAR(share, 1.0 / columns, 1e-12);
       }
-      EXPECT_NEAR(std::accumulate(grid.heightShares.begin(), grid.heightShares.end(), 0.0), columns,
-                  1e-12);
+      EXPECT_NEAR(std::accumulate(grid.viewHeightShares.begin(), grid.viewHeightShares.end(), 0.0),
+                  columns, 1e-12);
     }
   }
 }

@@ -58,7 +58,7 @@ private:
 void WindowAssemblyTest::openDemo() {
   constexpr int kRounds = 10; // of the event loop, with all views where they were
   open();
-  QVERIFY(waitFor([this] { return shown().iterations > 0; }));
+  QVERIFY(waitFor([this] { return shown().iterationCount > 0; }));
   int same = 0;
   QVERIFY(waitFor([&, last = places()]() mutable {
     same = last == std::exchange(last, places()) ? same + 1 : 0;
@@ -154,7 +154,7 @@ void WindowAssemblyTest::whatNobodyArrangedSuitsAnotherWindow() {
   dock("trajectoryDock")->toggleViewAction()->trigger();
   action("actionSave")->trigger();
   QVERIFY(waitFor([this] { return !window_->saver().isSaving(); }));
-  QVERIFY(!window_->document().project().layout.empty());
+  QVERIFY(!window_->document().project().windowLayout.empty());
   makeAnotherWindow({.size = {1700, 1000}, .play = false});
   open(project);
   const auto widthOfImages = [this] {
@@ -173,10 +173,10 @@ void WindowAssemblyTest::anotherProjectIsSeenWhole() {
   }
   auto* plots = window_->findChild<PlotStack*>(QStringLiteral("plotStack"));
   // Long enough to be looked at in part.
-  QTRY_VERIFY_WITH_TIMEOUT((plots->showRange(0.5, 1.0), !plots->showsAll()), kTimeoutMs);
+  QTRY_VERIFY_WITH_TIMEOUT((plots->showRange(0.5, 1.0), !plots->showsWholeRun()), kTimeoutMs);
   dock("trajectoryDock")->raise(); // the panel follows the run while it is seen
   auto* motion = window_->findChild<PlotStack*>(QStringLiteral("motionPlots"));
-  QTRY_VERIFY_WITH_TIMEOUT((motion->showRange(0.5, 1.0), !motion->showsAll()), kTimeoutMs);
+  QTRY_VERIFY_WITH_TIMEOUT((motion->showRange(0.5, 1.0), !motion->showsWholeRun()), kTimeoutMs);
   openDemo();
   QCOMPARE(room->currentView(), Scene3d::View::Free);
   if (room->hasImage()) {
@@ -187,8 +187,8 @@ void WindowAssemblyTest::anotherProjectIsSeenWhole() {
     // Twice as near before; what is tracked meanwhile changes little.
     QVERIFY(std::abs(shown / room->scene().metersPerPixel() - 1.0) < 0.1);
   }
-  QVERIFY(plots->showsAll());
-  QVERIFY(motion->showsAll());
+  QVERIFY(plots->showsWholeRun());
+  QVERIFY(motion->showsWholeRun());
 }
 
 void WindowAssemblyTest::theRequestComesBackWithWhatItOpened() {
@@ -198,11 +198,14 @@ void WindowAssemblyTest::theRequestComesBackWithWhatItOpened() {
           [&](const OpenRequest& request, const std::shared_ptr<SessionInputs>& inputs) {
             notes.push_back(request.message + QString::fromStdString(inputs->project.scene));
           });
-  loader.open({.source = std::filesystem::path("still"), .message = QStringLiteral("first ")});
-  loader.open({.source = std::filesystem::path("fast"), .message = QStringLiteral("second ")});
-  loader.open({.source = std::filesystem::path("jump"), .keepHistory = true});
+  loader.open(
+      {.sessionRequest = std::filesystem::path("still"), .message = QStringLiteral("first ")});
+  loader.open(
+      {.sessionRequest = std::filesystem::path("fast"), .message = QStringLiteral("second ")});
+  loader.open({.sessionRequest = std::filesystem::path("jump"), .keepsHistory = true});
   QVERIFY(loader.isReopening());
-  loader.open({.source = std::filesystem::path("smooth"), .message = QStringLiteral("last ")});
+  loader.open(
+      {.sessionRequest = std::filesystem::path("smooth"), .message = QStringLiteral("last ")});
   QVERIFY(!loader.isReopening());
   QTRY_VERIFY_WITH_TIMEOUT(!loader.isOpening(), kTimeoutMs);
   // Of those asked for meanwhile, the last: with its own meaning.
@@ -219,7 +222,7 @@ void WindowAssemblyTest::viewsAreToldInOrder() {
   const auto tell = [&](const char* what) {
     return [&told, what] { told << QLatin1String(what); };
   };
-  connect(&session, &SessionController::documentReplacing, this, tell("replacing"));
+  connect(&session, &SessionController::documentAboutToBeReplaced, this, tell("replacing"));
   connect(&session, &SessionController::documentReplaced, this, tell("replaced"));
   connect(&session, &SessionController::runStarted, this, tell("started"));
   connect(&session, &SessionController::framesLogged, this, tell("frames"));
@@ -229,7 +232,7 @@ void WindowAssemblyTest::viewsAreToldInOrder() {
   connect(&session, &SessionController::opened, this, tell("opened"));
   connect(&session, &SessionController::runEnded, this, tell("ended"));
   connect(&session, &SessionController::closed, this, tell("closed"));
-  session.open({.source = std::filesystem::path("still")});
+  session.open({.sessionRequest = std::filesystem::path("still")});
   QTRY_VERIFY_WITH_TIMEOUT(told.contains(QStringLiteral("opened")), kTimeoutMs);
   QCOMPARE(told.mid(0, 9), QStringList({"ended", "nothing", "replacing", "replaced", "started",
                                         "frames", "snapshot", "iterations", "opened"}));
@@ -252,7 +255,7 @@ void WindowAssemblyTest::closingBeforeTheRunBeginsKeepsItFromBeginning() {
   connect(&session, &SessionController::documentReplaced, &session, [&session] {
     QMetaObject::invokeMethod(&session, &SessionController::close, Qt::QueuedConnection);
   });
-  session.open({.source = std::filesystem::path("still")});
+  session.open({.sessionRequest = std::filesystem::path("still")});
   QVERIFY(closed.wait(kTimeoutMs));
   QVERIFY(!QTest::qWaitFor([&] { return started.count() > 0; }, 100));
   QVERIFY(!session.isRunning());

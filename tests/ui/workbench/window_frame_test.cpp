@@ -82,7 +82,7 @@ bool WindowFrameTest::settlesPlaces() {
 void WindowFrameTest::openScene(const char* scene, const QSize& size) {
   window_->resize(size);
   open(std::filesystem::path(scene));
-  QVERIFY(waitFor([this] { return shown().iterations > 0; }));
+  QVERIFY(waitFor([this] { return shown().iterationCount > 0; }));
   QVERIFY(settlesPlaces());
   QVERIFY(draws(*window_));
 }

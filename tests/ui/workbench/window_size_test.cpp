@@ -33,7 +33,7 @@ void WindowSizeTest::aMessageFitsASmallScreen() {
   QFETCH(bool, arranged);
   window_->resize(1024, 640);
   open(std::filesystem::path("demo"));
-  QVERIFY(waitFor([this] { return shown().iterations > 0; }));
+  QVERIFY(waitFor([this] { return shown().iterationCount > 0; }));
   QVERIFY(draws(*window_));
   const auto* status = window_->statusBar();
   const auto fits = [&] {

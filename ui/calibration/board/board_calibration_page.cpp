@@ -31,13 +31,14 @@ BoardCalibrationPage::BoardCalibrationPage(BoardCalibrator& calibrator, QWidget*
     : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("boardPage"));
   createWidgets();
-  connect(find_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::findBoard);
+  connect(find_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::identifyBoard);
   connect(calibrate_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::calibrate);
   connect(cancel_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::cancel);
   connect(apply_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::apply);
   connect(report_, &QPushButton::clicked, this, &BoardCalibrationPage::chooseReportFile);
   connect(&calibrator_, &BoardCalibrator::changed, this, &BoardCalibrationPage::refresh);
-  connect(&calibrator_, &BoardCalibrator::requestChanged, this, &BoardCalibrationPage::refresh);
+  connect(&calibrator_, &BoardCalibrator::guideRequestChanged, this,
+          &BoardCalibrationPage::refresh);
   connect(&calibrator_, &BoardCalibrator::calibrationEnded, this, [this] {
     QTimer::singleShot(0, this, &BoardCalibrationPage::showResult); // laid out by then
   });
@@ -121,7 +122,7 @@ void BoardCalibrationPage::retranslateUi() {
 }
 
 void BoardCalibrationPage::refresh() {
-  const bool live = calibrator_.isLive();
+  const bool live = calibrator_.usesLiveCameras();
   const bool computing = calibrator_.isComputing();
   const auto outcome = calibrator_.outcome();
   guide_->setText(live
@@ -142,23 +143,23 @@ void BoardCalibrationPage::refresh() {
   apply_->setText(doubted ? tr("Use calibration anyway") : tr("Apply"));
   report_->setVisible(outcome != nullptr);
   QString text = outcome ? outcomeText(calibrator_, *outcome) : QString();
-  if (!calibrator_.failure().isEmpty()) {
-    text = QStringLiteral("⚠ ") + calibrator_.failure();
+  if (!calibrator_.failureText().isEmpty()) {
+    text = QStringLiteral("⚠ ") + calibrator_.failureText();
   } else if (calibrator_.isApplied()) {
     text = tr("✓ The cameras are calibrated (Ctrl+Z undoes this).") + QLatin1Char('\n') + text;
   }
   result_->setText(text);
   result_->setVisible(!text.isEmpty());
   if (computing) {
-    showProgress(calibrator_.isSearching() ? 0.0 : -1.0);
+    showProgress(calibrator_.isSearchingRecording() ? 0.0 : -1.0);
   }
 }
 
 void BoardCalibrationPage::showProgress(double part) {
   progress_->setRange(0, part < 0.0 ? 0 : kProgressSteps);
   progress_->setValue(static_cast<int>(part * kProgressSteps));
-  progress_->setFormat(calibrator_.isSearching() ? tr("Looking for the board: %p %")
-                                                 : tr("Computing"));
+  progress_->setFormat(calibrator_.isSearchingRecording() ? tr("Looking for the board: %p %")
+                                                          : tr("Computing"));
 }
 
 void BoardCalibrationPage::showResult() {

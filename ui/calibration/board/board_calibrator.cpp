@@ -26,15 +26,15 @@ BoardCalibrator::BoardCalibrator(Document& document, Opener open, QObject* paren
   request_.goal = {true, true};
   loadPreferences();
   connect(job_, &BackgroundJob::progressChanged, this, &BoardCalibrator::progressChanged);
-  connect(job_, &BackgroundJob::ended, this, [this](bool cancelled) {
-    if (cancelled && !std::exchange(outdated_, false)) {
+  connect(job_, &BackgroundJob::ended, this, [this](bool canceled) {
+    if (canceled && !std::exchange(outdated_, false)) {
       failure_ = tr("Stopped. The previous calibration is kept.");
     }
     Q_EMIT changed();
     Q_EMIT calibrationEnded();
     finishWhenGuided(); // the guidance may have ended while a board was being found
   });
-  connect(&document_, &Document::replaced, this, &BoardCalibrator::discardResults);
+  connect(&document_, &Document::projectReplaced, this, &BoardCalibrator::discardResults);
   connect(&document_, &Document::sourcesChanged, this, &BoardCalibrator::discardResults);
   connect(&document_, &Document::calibrationChanged, this, &BoardCalibrator::changed);
 }
@@ -50,13 +50,13 @@ QString BoardCalibrator::nameOf(std::size_t camera) const {
   return cameraName(camera < cameras.size() ? cameras[camera].camera.name : std::string(), camera);
 }
 
-void BoardCalibrator::setRequest(const BoardGuideRequest& request) {
+void BoardCalibrator::setGuideRequest(const BoardGuideRequest& request) {
   request_ = request;
   Preferences().setBoardPreferences(preferences());
   if (watching_) {
     startGuidance(); // what was taken is of another board, or for another lens
   }
-  Q_EMIT requestChanged();
+  Q_EMIT guideRequestChanged();
 }
 
 BoardPreferences BoardCalibrator::preferences() const {
@@ -73,7 +73,7 @@ void BoardCalibrator::loadPreferences() {
   atFirst.calibratesIntrinsics = true;
   atFirst.calibratesPositions = true;
   const BoardPreferences kept = Preferences().boardPreferences(atFirst);
-  if (const auto board = parseBoard(kept.board.toStdString())) {
+  if (const auto board = parseBoard(kept.boardText.toStdString())) {
     request_.board.board = *board;
   }
   request_.board.model = static_cast<IntrinsicsModel>(std::clamp(kept.lensModel, 0, 2));
@@ -122,7 +122,7 @@ void BoardCalibrator::compute(Computation computation, bool applyIt) {
 
 void BoardCalibrator::applyResult(const std::shared_ptr<Computed>& computed, bool applyIt) {
   proposal_ = computed->otherBoard;
-  mirrored_ = computed->mirrored;
+  mirrored_ = computed->mirroredVideos;
   if (mirrored_.cause != MirroredVideos::Cause::None) {
     Q_EMIT mirroredVideosFound();
   } else if (proposal_) {
@@ -146,13 +146,13 @@ void BoardCalibrator::searchAllFrames() {
   calibrateRecording(false);
 }
 
-void BoardCalibrator::calibrateRecording(bool suggestBoardFirst) {
+void BoardCalibrator::calibrateRecording(bool checksForOtherBoardFirst) {
   if (isComputing() || live_) {
     return;
   }
   *searching_ = true;
   BoardGuideRequest request = request_;
-  request.board.suggestBoardFirst = suggestBoardFirst;
+  request.board.checksForOtherBoardFirst = checksForOtherBoardFirst;
   compute(
       [open = open_, project = project(), request](const CalibrationProgress& progress) {
         Computed computed;
@@ -161,7 +161,7 @@ void BoardCalibrator::calibrateRecording(bool suggestBoardFirst) {
               .and_then([&](const BoardDetections& seen) {
                 computed.otherBoard = seen.otherBoard;
                 computed.hasSearchedAllFrames = seen.hasSearchedAllFrames;
-                computed.mirrored = setup::mirroredVideos(seen);
+                computed.mirroredVideos = setup::mirroredVideos(seen);
                 return calibrateFromBoards(inputs.project, seen, request.board, request.goal,
                                            progress);
               });
@@ -171,7 +171,7 @@ void BoardCalibrator::calibrateRecording(bool suggestBoardFirst) {
       true);
 }
 
-void BoardCalibrator::findBoard() {
+void BoardCalibrator::identifyBoard() {
   if (isComputing() || shownFrame_ < 0) {
     return;
   }
@@ -204,7 +204,7 @@ BoardCalibrator::Proposed BoardCalibrator::proposedIn(FrameSetSource& source,
   Proposed proposed;
   proposed.guesses = proposeBoards(source, board, kBoardProposalFrames, progress);
   if (proposed.guesses) {
-    proposed.mirrored =
+    proposed.mirroredVideos =
         findMirroredVideos(source, proposed.guesses->front().board, kBoardProposalFrames, progress)
             .value_or(MirroredVideos());
   }
@@ -221,8 +221,8 @@ void BoardCalibrator::takeGuesses(const Proposed& proposed) {
     return;
   }
   const BoardGuess& best = guesses->front();
-  if (proposed.mirrored.cause != MirroredVideos::Cause::None) {
-    mirrored_ = proposed.mirrored;
+  if (proposed.mirroredVideos.cause != MirroredVideos::Cause::None) {
+    mirrored_ = proposed.mirroredVideos;
     proposal_ = best;
     Q_EMIT mirroredVideosFound();
     return;
@@ -243,7 +243,7 @@ void BoardCalibrator::useProposal() {
   request.board.board = proposal_->board;
   proposal_.reset();
   failure_.clear();
-  setRequest(request);
+  setGuideRequest(request);
 }
 
 void BoardCalibrator::mirrorImages() {
@@ -266,7 +266,7 @@ void BoardCalibrator::startGuidance() {
   failure_.clear();
   lastWatchedFrames_.reset();
   setWatching(true);
-  watch_->begin(project(), request_);
+  watch_->start(project(), request_);
   Q_EMIT playRequested();
   Q_EMIT changed();
   Q_EMIT guideChanged();
@@ -291,7 +291,7 @@ bool BoardCalibrator::hasCapturedViews() const {
                              [](const auto& camera) { return !camera.views.empty(); });
 }
 
-void BoardCalibrator::finish() {
+void BoardCalibrator::calibrateFromCapturedViews() {
   if (isComputing() || !hasCapturedViews()) {
     return;
   }
@@ -322,7 +322,7 @@ std::function<void()> BoardCalibrator::wakeUp() {
 
 void BoardCalibrator::finishWhenGuided() {
   if (watching_ && guideState()->phase == BoardGuideState::Phase::Finished) {
-    finish();
+    calibrateFromCapturedViews();
   }
 }
 
@@ -393,7 +393,7 @@ void BoardCalibrator::discardResults() {
   proposal_.reset();
   mirrored_ = {};
   request_.board.floorFrame.reset();
-  Q_EMIT requestChanged();
+  Q_EMIT guideRequestChanged();
   Q_EMIT changed();
 }
 

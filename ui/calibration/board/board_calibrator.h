@@ -34,14 +34,14 @@ public:
 
   /// Returns the user's settings. All settings are saved in the preferences, except the frame in
   /// which the board lies on the floor.
-  const BoardGuideRequest& request() const { return request_; }
-  void setRequest(const BoardGuideRequest& request);
+  const BoardGuideRequest& guideRequest() const { return request_; }
+  void setGuideRequest(const BoardGuideRequest& request);
   const Project& project() const;
   /// Returns the name of a camera, or "camera 2" if it has none.
   QString nameOf(std::size_t camera) const;
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  bool isLive() const { return live_; }
+  bool usesLiveCameras() const { return live_; }
   /// Returns the number of the frame shown, or -1 before the first frame.
   qint64 shownFrame() const { return shownFrame_; }
 
@@ -55,13 +55,13 @@ public:
   bool isComputing() const;
   /// Returns whether the recording is still being searched for the board. Solving starts after the
   /// search.
-  bool isSearching() const { return *searching_; }
+  bool isSearchingRecording() const { return *searching_; }
 
   // Any board.
   /// Determines which board the recording, or the newest live images, show. The result is reported
   /// by one of the signals boardProposed(), boardConfirmed() and mirroredVideosFound(), or as a
-  /// sentence in failure().
-  void findBoard();
+  /// sentence in failureText().
+  void identifyBoard();
   /// Returns the board that the images show instead of the one in the settings, if one was found.
   const std::optional<BoardGuess>& proposal() const { return proposal_; }
   /// Sets the board in the settings to the board that the images show (proposal()).
@@ -80,9 +80,9 @@ public:
   void captureFloor() { watch_->captureFloor(); }
   void skipToPoses() { watch_->skipToPoses(); }
   /// Calibrates from the views captured so far and ends the guidance.
-  void finish();
+  void calibrateFromCapturedViews();
   /// Returns the newest state of the guidance in front of live cameras; never null.
-  BoardGuideStatePtr guideState() const { return watch_->newest(); }
+  BoardGuideStatePtr guideState() const { return watch_->newestState(); }
   /// Returns whether any view has been captured.
   bool hasCapturedViews() const;
 
@@ -90,7 +90,7 @@ public:
   /// Returns the result of the last calibration; null before the first one and after a failure.
   std::shared_ptr<const BoardOutcome> outcome() const { return outcome_; }
   /// Returns one sentence that explains why the last calibration failed.
-  const QString& failure() const { return failure_; }
+  const QString& failureText() const { return failure_; }
   /// Returns whether the project's cameras are those of the last calibration.
   bool isApplied() const;
   void apply();
@@ -100,24 +100,25 @@ public:
   void printBoard(const QString& paper, const QString& file);
 
 Q_SIGNALS:
-  void requestChanged();
+  void guideRequestChanged();
   void changed(); ///< emitted when anything except the settings and the guidance has changed
   void guideChanged();
-  void progressChanged(double part); ///< progress of the calibration, 0 to 1; negative if unknown
+  /// Emitted with the progress of the calibration, 0 to 1; negative if unknown.
+  void progressChanged(double fraction);
   void calibrationEnded(); ///< emitted when a calibration has ended, with or without a result
   /// Emitted when images show another board than the one in the settings; proposal() returns this
   /// board. `stopped` is true if a calibration ended early for this reason.
   void boardProposed(bool stopped);
   /// Emitted when some cameras show the board mirrored; see mirroredVideos().
   void mirroredVideosFound();
-  /// Emitted when `images` of the `searched` images show the board in the settings.
-  void boardConfirmed(int images, int searched);
+  /// Emitted when `imageCount` of `searchedImageCount` images show the board in the settings.
+  void boardConfirmed(int imageCount, int searchedImageCount);
   void playRequested(); ///< emitted when live images are needed, so that the run must play
   void boardVisibilityChanged(
       bool shown); ///< whether the board is currently being shown to live cameras
   void saved(const QString& file);
   /// Emitted after saved() if the printed board is split over several sheets of paper.
-  void printedOnSeveralSheets(const QString& file, int sheets);
+  void printedOnSeveralSheets(const QString& file, int sheetCount);
   void failed(const QString& sentence);
 
 private:
@@ -126,17 +127,17 @@ private:
     Result<BoardOutcome> outcome;
     std::optional<BoardGuess> otherBoard = std::nullopt;
     bool hasSearchedAllFrames = true; ///< see BoardDetections
-    MirroredVideos mirrored = {};
+    MirroredVideos mirroredVideos = {};
   };
   /// Boards that a search proposes, and the videos that it found mirrored.
   struct Proposed {
     Result<std::vector<BoardGuess>> guesses;
-    MirroredVideos mirrored = {};
+    MirroredVideos mirroredVideos = {};
   };
   static Proposed proposedIn(FrameSetSource& source, const BoardDescription& board,
                              const CalibrationProgress& progress);
   using Computation = std::function<Computed(const CalibrationProgress& progress)>;
-  void calibrateRecording(bool suggestBoardFirst);
+  void calibrateRecording(bool checksForOtherBoardFirst);
   void setWatching(bool watching);
   /// Calibrates if the user has shown all views that the guidance asked for.
   void finishWhenGuided();

@@ -127,7 +127,7 @@ double BoardForm::metersPerUnit() const {
 
 void BoardForm::connectFields() {
   using Board = BoardDescription;
-  connect(&calibrator_, &BoardCalibrator::requestChanged, this, &BoardForm::refresh);
+  connect(&calibrator_, &BoardCalibrator::guideRequestChanged, this, &BoardForm::refresh);
   connect(kind_, &QComboBox::activated, this, [this](int index) {
     edit([index](Board& board) { board = withKind(board, static_cast<Board::Kind>(index)); });
   });
@@ -154,18 +154,18 @@ void BoardForm::connectFields() {
   connect(legacy_, &QCheckBox::clicked, this,
           [this](bool on) { edit([on](Board& board) { board.usesLegacyLayout = on; }); });
   connect(inverted_, &QCheckBox::clicked, this,
-          [this](bool on) { edit([on](Board& board) { board.inverted = on; }); });
+          [this](bool on) { edit([on](Board& board) { board.isInverted = on; }); });
   connect(print_, &QPushButton::clicked, this, &BoardForm::print);
 }
 
 void BoardForm::edit(const std::function<void(BoardDescription&)>& change) {
-  BoardGuideRequest request = calibrator_.request();
+  BoardGuideRequest request = calibrator_.guideRequest();
   BoardDescription board = request.board.board;
   change(board);
   const Status checked = checkBoard(board);
   if (checked) {
     request.board.board = board;
-    calibrator_.setRequest(request);
+    calibrator_.setGuideRequest(request);
   }
   refresh(); // also when it was refused
   if (!checked) {
@@ -224,7 +224,7 @@ void BoardForm::retranslateUi() {
 }
 
 void BoardForm::refresh() {
-  const BoardDescription& board = calibrator_.request().board.board;
+  const BoardDescription& board = calibrator_.guideRequest().board.board;
   const bool markers = board.kind == BoardDescription::Kind::Charuco;
   const auto count = [](QSpinBox* box, int value) {
     const QSignalBlocker quiet(box);
@@ -246,7 +246,7 @@ void BoardForm::refresh() {
   }
   legacy_->setEnabled(board.rows % 2 == 0);
   legacy_->setChecked(board.usesLegacyLayout);
-  inverted_->setChecked(board.inverted);
+  inverted_->setChecked(board.isInverted);
   summary_->setText(
       tr("%1 × %2 inner corners. Description for the command line:")
           .arg(QString::number(board.cornerColumns()), QString::number(board.cornerRows())) +

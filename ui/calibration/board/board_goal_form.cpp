@@ -79,13 +79,13 @@ void BoardGoalForm::createWidgets() {
 }
 
 void BoardGoalForm::edit(const std::function<void(BoardGuideRequest&)>& change) {
-  BoardGuideRequest request = calibrator_.request();
+  BoardGuideRequest request = calibrator_.guideRequest();
   change(request);
-  calibrator_.setRequest(request);
+  calibrator_.setGuideRequest(request);
 }
 
 void BoardGoalForm::connectFields() {
-  connect(&calibrator_, &BoardCalibrator::requestChanged, this, &BoardGoalForm::refresh);
+  connect(&calibrator_, &BoardCalibrator::guideRequestChanged, this, &BoardGoalForm::refresh);
   connect(&calibrator_, &BoardCalibrator::changed, this, &BoardGoalForm::refresh);
   connect(goal_, &QComboBox::activated, this, [this](int index) {
     edit([index](BoardGuideRequest& request) {
@@ -164,7 +164,7 @@ void BoardGoalForm::retranslateUi() {
 }
 
 void BoardGoalForm::refresh() {
-  const BoardGuideRequest& request = calibrator_.request();
+  const BoardGuideRequest& request = calibrator_.guideRequest();
   for (std::size_t k = 0; k < kGoals.size(); ++k) {
     if (kGoals.at(k) == request.goal) {
       goal_->setCurrentIndex(static_cast<int>(k));
@@ -173,7 +173,7 @@ void BoardGoalForm::refresh() {
   model_->setCurrentIndex(static_cast<int>(request.board.model));
   modelLabel_->setVisible(request.goal.estimatesLenses);
   model_->setVisible(request.goal.estimatesLenses);
-  const bool live = calibrator_.isLive();
+  const bool live = calibrator_.usesLiveCameras();
   const bool onFloor = request.board.floorFrame.has_value();
   floor_->setChecked(onFloor);
   floor_->setVisible(!live && request.goal.estimatesPoses);

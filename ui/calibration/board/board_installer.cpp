@@ -48,8 +48,9 @@ void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
         messages->showQuestion(proposalQuestion(*board->proposal()), answers);
       });
   QObject::connect(board, &BoardCalibrator::mirroredVideosFound, messages, [board, messages] {
-    messages->showQuestion(mirroredQuestion(*board), {{BoardCalibrationPage::tr("Mirror images"),
-                                                       [board] { board->mirrorImages(); }}});
+    messages->showQuestion(
+        mirroredVideosQuestion(*board),
+        {{BoardCalibrationPage::tr("Mirror images"), [board] { board->mirrorImages(); }}});
   });
   QObject::connect(
       board, &BoardCalibrator::boardConfirmed, messages, [messages](int images, int searched) {

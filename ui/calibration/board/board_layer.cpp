@@ -65,7 +65,7 @@ void BoardLayer::paintEvent(QPaintEvent*) {
   const ImagePlacement& image = view_->placement();
   QPolygonF outline;
   for (const Eigen::Vector2d& corner : state->cameras[camera_].outline) {
-    outline << image.corner + image.scale * QPointF(corner.x() + 0.5, corner.y() + 0.5);
+    outline << image.topLeft + image.scale * QPointF(corner.x() + 0.5, corner.y() + 0.5);
   }
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);

@@ -40,9 +40,10 @@ BoardLive::BoardLive(BoardCalibrator& calibrator, QWidget* parent)
     display->raise();
     display->activateWindow();
   });
-  connect(finish_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::finish);
+  connect(finish_, &QPushButton::clicked, &calibrator_,
+          &BoardCalibrator::calibrateFromCapturedViews);
   connect(&calibrator_, &BoardCalibrator::changed, this, &BoardLive::refresh);
-  connect(&calibrator_, &BoardCalibrator::requestChanged, this, &BoardLive::refresh);
+  connect(&calibrator_, &BoardCalibrator::guideRequestChanged, this, &BoardLive::refresh);
   connect(&calibrator_, &BoardCalibrator::guideChanged, this, &BoardLive::refresh);
   onRetranslate(this, [this] { retranslateUi(); });
 }
@@ -121,16 +122,16 @@ void BoardLive::makeRows(std::size_t count) {
 
 void BoardLive::fillRow(const Row& row, const BoardGuideState& state, std::size_t camera) {
   const auto& of = state.cameras[camera];
-  const bool lens =
-      state.phase == BoardGuideState::Phase::Lenses ||
-      (!calibrator_.request().goal.estimatesPoses && calibrator_.request().goal.estimatesLenses);
+  const bool lens = state.phase == BoardGuideState::Phase::Lenses ||
+                    (!calibrator_.guideRequest().goal.estimatesPoses &&
+                     calibrator_.guideRequest().goal.estimatesLenses);
   row.map->setCamera(of, lens);
   row.name->setText(calibrator_.nameOf(camera));
   row.advice->setText(lens ? adviceText(of) : visibilityText(of));
-  row.accuracy->setText(lens ? lensAccuracyText(of, calibrator_.request().lensGuidance)
+  row.accuracy->setText(lens ? lensAccuracyText(of, calibrator_.guideRequest().lensGuidance)
                              : positionAccuracyText(of));
-  row.sharpness->setText(sharpnessText(of, calibrator_.request().lensGuidance));
-  const double held = lens ? of.lens.holdProgress : of.detection ? state.rig.holdProgress : 0.0;
+  row.sharpness->setText(sharpnessText(of, calibrator_.guideRequest().lensGuidance));
+  const double held = lens ? of.lensGuidance.holdProgress : of.detection ? state.rigGuidance.holdProgress : 0.0;
   row.holdProgress->setValue(static_cast<int>(kHeldSteps * held));
   row.holdProgress->setAccessibleName(
       tr("Time for which the board was held still in front of %1").arg(calibrator_.nameOf(camera)));
@@ -165,10 +166,10 @@ void BoardLive::refresh() {
   start_->setToolTip(tr("Find the board in the live images and get guidance on what to show"));
   start_->setEnabled(!calibrator_.isComputing());
   capture_->setEnabled(watching);
-  floor_->setVisible(calibrator_.request().goal.estimatesPoses);
+  floor_->setVisible(calibrator_.guideRequest().goal.estimatesPoses);
   floor_->setEnabled(watching && places);
-  next_->setVisible(calibrator_.request().goal.estimatesPoses &&
-                    calibrator_.request().goal.estimatesLenses);
+  next_->setVisible(calibrator_.guideRequest().goal.estimatesPoses &&
+                    calibrator_.guideRequest().goal.estimatesLenses);
   next_->setEnabled(watching && !places);
   finish_->setEnabled(calibrator_.hasCapturedViews() && !calibrator_.isComputing() &&
                       !calibrator_.outcome());
@@ -187,7 +188,7 @@ void BoardLive::followGuide() {
   }
   overall_->setText(state->frame < 0 ? tr("Waiting for images. Check that the cameras are running.")
                     : state->phase == BoardGuideState::Phase::Poses
-                        ? cameraPairText(calibrator_, state->rig)
+                        ? cameraPairText(calibrator_, state->rigGuidance)
                         : tr("Show the board to one camera after the other, following the "
                              "instructions for each."));
 }

@@ -64,7 +64,8 @@ void BoardMap::setCamera(const BoardGuideState::PerCamera& camera, bool lens) {
 
 QRectF BoardMap::imageArea() const {
   const QSizeF room(width() - 2.0, height() - 2.0 - kTiltHeight);
-  const QSizeF size = camera_.width > 0 ? QSizeF(camera_.width, camera_.height) : QSizeF(4, 3);
+  const QSizeF size =
+      camera_.imageWidth > 0 ? QSizeF(camera_.imageWidth, camera_.imageHeight) : QSizeF(4, 3);
   const QSizeF fitted = size.scaled(room, Qt::KeepAspectRatio);
   return {QPointF(1.0 + 0.5 * (room.width() - fitted.width()), 1.0), fitted};
 }
@@ -72,7 +73,7 @@ QRectF BoardMap::imageArea() const {
 void BoardMap::paintRegions(QPainter& painter, const QRectF& image) const {
   const double width = image.width() / BoardCoverage::kColumns;
   const double height = image.height() / BoardCoverage::kRows;
-  const auto& guidance = camera_.lens;
+  const auto& guidance = camera_.lensGuidance;
   const auto cell = [&](int region) {
     return QRectF(image.left() + region % BoardCoverage::kColumns * width,
                   image.top() + static_cast<int>(region / BoardCoverage::kColumns) * height, width,
@@ -95,15 +96,15 @@ void BoardMap::paintRegions(QPainter& painter, const QRectF& image) const {
     painter.drawLine(QLineF(image.left(), image.top() + row * height, image.right(),
                             image.top() + row * height));
   }
-  if (guidance.advice == GuidanceAdvice::MoveTo && guidance.region >= 0) {
+  if (guidance.advice == GuidanceAdvice::MoveTo && guidance.requestedRegion >= 0) {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(kWanted, 2.5));
-    painter.drawRoundedRect(cell(guidance.region).adjusted(1, 1, -1, -1), 2, 2);
+    painter.drawRoundedRect(cell(guidance.requestedRegion).adjusted(1, 1, -1, -1), 2, 2);
   }
 }
 
 void BoardMap::paintOutlines(QPainter& painter, const QRectF& image) const {
-  if (camera_.width == 0) {
+  if (camera_.imageWidth == 0) {
     return;
   }
   QColor taken = palette().color(QPalette::Text);
@@ -111,7 +112,7 @@ void BoardMap::paintOutlines(QPainter& painter, const QRectF& image) const {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(taken, 1.0));
   for (const auto& outline : camera_.capturedOutlines) {
-    painter.drawPolygon(placed(outline, image, camera_.width, camera_.height));
+    painter.drawPolygon(placed(outline, image, camera_.imageWidth, camera_.imageHeight));
   }
   if (camera_.outline.empty()) {
     return;
@@ -120,15 +121,16 @@ void BoardMap::paintOutlines(QPainter& painter, const QRectF& image) const {
   painter.setPen(QPen(kSeenCell, lit ? 3.0 : 2.0));
   painter.setBrush(lit ? QBrush(QColor(kSeenCell.red(), kSeenCell.green(), kSeenCell.blue(), 150))
                        : QBrush(Qt::NoBrush));
-  painter.drawPolygon(placed(camera_.outline, image, camera_.width, camera_.height));
+  painter.drawPolygon(placed(camera_.outline, image, camera_.imageWidth, camera_.imageHeight));
 }
 
 void BoardMap::paintTilts(QPainter& painter, const QRectF& image) const {
   const double step = image.width() / BoardCoverage::kTiltCount;
   for (int k = 0; k < BoardCoverage::kTiltCount; ++k) {
     const auto tilt = static_cast<BoardTilt>(k);
-    const bool wanted = camera_.lens.advice == GuidanceAdvice::TiltTo && camera_.lens.tilt == tilt;
-    const int views = camera_.lens.coverage.tiltCounts[static_cast<std::size_t>(k)];
+    const bool wanted =
+        camera_.lensGuidance.advice == GuidanceAdvice::TiltTo && camera_.lensGuidance.tilt == tilt;
+    const int views = camera_.lensGuidance.coverage.tiltCounts[static_cast<std::size_t>(k)];
     QColor fill = palette().color(QPalette::Highlight);
     fill.setAlphaF(static_cast<float>(std::min(0.75, 0.25 * views)));
     painter.setBrush(fill);

@@ -21,7 +21,7 @@ class BoardText {
 constexpr double kPoorlyKnownPx = 5.0; ///< somewhere in the image: worth a warning
 
 QString lensLine(const QString& name, const IntrinsicsResult& lens) {
-  const auto used = std::ranges::count(lens.views, true, &ViewFit::used);
+  const auto used = std::ranges::count(lens.views, true, &ViewFit::isUsed);
   QString line = BoardText::tr("%1: RMS reprojection error %2, focal length %3, accuracy of the "
                                "intrinsics %5, from %4 images")
                      .arg(name, pixelText(lens.rmsPx, 3), pixelText(lens.camera.intrinsics.focalX),
@@ -30,7 +30,7 @@ QString lensLine(const QString& name, const IntrinsicsResult& lens) {
     line += QStringLiteral("\n⚠ ") +
             BoardText::tr("The board's corners cover only %1 % of the image: show the board in "
                           "every part of the image, and tilt it too.")
-                .arg(percentText(lens.coverage.coveredFraction()));
+                .arg(percentNumber(lens.coverage.coveredFraction()));
   }
   return line;
 }
@@ -59,14 +59,15 @@ QString missedLine(const QString& name, const std::vector<MissedRun>& runs) {
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const MissedRun& run = runs[k];
     if (k >= kMaxListedRuns) {
-      others += run.images;
+      others += run.imageCount;
       continue;
     }
-    const QString first = QString::number(run.first + 1);
-    listed << missReason(run.first == run.last
-                             ? first
-                             : QStringLiteral("%1–%2").arg(first, QString::number(run.last + 1)),
-                         run.miss);
+    const QString first = QString::number(run.firstNumber + 1);
+    listed << missReason(
+        run.firstNumber == run.lastNumber
+            ? first
+            : QStringLiteral("%1–%2").arg(first, QString::number(run.lastNumber + 1)),
+        run.missReason);
   }
   const QString frames = listed.join(QStringLiteral(", "));
   return others == 0 ? BoardText::tr("%1: no board was found in frames %2.").arg(name, frames)
@@ -101,7 +102,7 @@ void addLenses(const BoardCalibrator& calibrator, const BoardOutcome& outcome, Q
       lines << QStringLiteral("⚠ ") +
                    BoardText::tr("The intrinsics of %1 are unchanged: %2")
                        .arg(calibrator.nameOf(k),
-                            QString::fromStdString(lenses.keptIntrinsics.at(kept++).detail));
+                            QString::fromStdString(lenses.keptIntrinsicsReasons.at(kept++).detail));
     }
   }
 }
@@ -113,12 +114,12 @@ void addPlaces(const BoardCalibrator& calibrator, const ExtrinsicsResult& places
   }
   lines << BoardText::tr("Camera positions: RMS reprojection error %1, from %2 board poses")
                .arg(pixelText(places.rmsPx, 3), QString::number(places.boardPoses.size()));
-  for (std::size_t k = 0; k < places.fits.size(); ++k) {
-    lines << placeLine(calibrator.nameOf(k), places.fits[k]);
+  for (std::size_t k = 0; k < places.cameraFits.size(); ++k) {
+    lines << placeLine(calibrator.nameOf(k), places.cameraFits[k]);
   }
   // The last ones are about cameras that never saw the board: said already.
-  const auto blind =
-      std::ranges::count_if(places.fits, [](const CameraFit& fit) { return fit.views.empty(); });
+  const auto blind = std::ranges::count_if(places.cameraFits,
+                                           [](const CameraFit& fit) { return fit.views.empty(); });
   for (std::size_t k = 0; k + static_cast<std::size_t>(blind) < places.notices.size(); ++k) {
     lines << QStringLiteral("⚠ ") + QString::fromStdString(places.notices[k]) + QLatin1Char('.');
   }
@@ -153,16 +154,16 @@ QString tiltText(BoardTilt tilt) {
 }
 
 QString adviceText(const BoardGuideState::PerCamera& camera) {
-  if (camera.width == 0) {
+  if (camera.imageWidth == 0) {
     return BoardText::tr("No image yet");
   }
-  switch (camera.lens.advice) {
+  switch (camera.lensGuidance.advice) {
   case GuidanceAdvice::ShowCalibrationBoard:
     return BoardText::tr("Show the whole board");
   case GuidanceAdvice::MoveTo:
-    return BoardText::tr("Move the board to: %1").arg(regionText(camera.lens.region));
+    return BoardText::tr("Move the board to: %1").arg(regionText(camera.lensGuidance.requestedRegion));
   case GuidanceAdvice::TiltTo:
-    return BoardText::tr("Turn the board: %1").arg(tiltText(camera.lens.tilt));
+    return BoardText::tr("Turn the board: %1").arg(tiltText(camera.lensGuidance.tilt));
   case GuidanceAdvice::ComeNearer:
     return BoardText::tr("Move the board closer");
   case GuidanceAdvice::HoldStill:
@@ -190,26 +191,27 @@ QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSe
     return BoardText::tr("board not visible");
   }
   const QString edges = pixelText(camera.detection->edgeWidthPx);
-  return camera.detection->edgeWidthPx > settings.softEdgeFraction * camera.width
+  return camera.detection->edgeWidthPx > settings.softEdgeWidthFraction * camera.imageWidth
              ? BoardText::tr("⚠ blurred: edges are %1 wide").arg(edges)
              : BoardText::tr("sharp: edges are %1 wide").arg(edges);
 }
 
 QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
                          const GuidanceSettings& settings) {
-  if (!camera.lens.projectionSigmaPx) {
+  if (!camera.lensGuidance.projectionSigmaPx) {
     return BoardText::tr("%1 views; at least %2 are needed")
-        .arg(QString::number(camera.lens.viewCount), QString::number(settings.minViews));
+        .arg(QString::number(camera.lensGuidance.viewCount), QString::number(settings.minViews));
   }
   return BoardText::tr("%1 views, accuracy %2 (goal: %3)")
-      .arg(QString::number(camera.lens.viewCount), pixelText(*camera.lens.projectionSigmaPx, 2),
+      .arg(QString::number(camera.lensGuidance.viewCount),
+           pixelText(*camera.lensGuidance.projectionSigmaPx, 2),
            pixelText(settings.requiredProjectionSigmaPx, 2));
 }
 
 QString visibilityText(const BoardGuideState::PerCamera& camera) {
-  return camera.width == 0  ? BoardText::tr("No image yet")
-         : camera.detection ? BoardText::tr("● board visible")
-                            : BoardText::tr("○ board not visible");
+  return camera.imageWidth == 0 ? BoardText::tr("No image yet")
+         : camera.detection     ? BoardText::tr("● board visible")
+                                : BoardText::tr("○ board not visible");
 }
 
 QString positionAccuracyText(const BoardGuideState::PerCamera& camera) {
@@ -232,7 +234,7 @@ QString guessedBoardText(const BoardGuess& guess) {
   if (board.usesLegacyLayout) {
     parts << BoardText::tr("legacy layout");
   }
-  if (board.inverted) {
+  if (board.isInverted) {
     parts << BoardText::tr("inverted colors");
   }
   return parts.join(QStringLiteral(", "));
@@ -250,9 +252,9 @@ QString proposalQuestion(const BoardGuess& guess) {
                    .arg(images, searched, guessedBoardText(guess));
 }
 
-QString mirroredQuestion(const BoardCalibrator& calibrator) {
+QString mirroredVideosQuestion(const BoardCalibrator& calibrator) {
   QStringList names;
-  for (const std::size_t camera : calibrator.mirroredVideos().cameras) {
+  for (const std::size_t camera : calibrator.mirroredVideos().mirroredCameras) {
     names << calibrator.nameOf(camera);
   }
   const QString cameras = names.join(QStringLiteral(", "));

@@ -40,7 +40,7 @@ QString proposalQuestion(const BoardGuess& guess);
 
 /// Returns the question to the user whether to mirror the images of the cameras that show the board
 /// mirrored.
-QString mirroredQuestion(const BoardCalibrator& calibrator);
+QString mirroredVideosQuestion(const BoardCalibrator& calibrator);
 
 /// Returns the result of a calibration in sentences: what was found for each camera, the quality,
 /// and remarks.

@@ -97,11 +97,11 @@ void RoomDisplay::refresh() {
     const std::size_t shown = shownCamera(*state);
     camera_->setText(calibrator_.nameOf(shown));
     advice_->setText(adviceText(state->cameras[shown]));
-    held = state->cameras[shown].lens.holdProgress;
+    held = state->cameras[shown].lensGuidance.holdProgress;
   } else {
     camera_->clear();
-    advice_->setText(cameraPairText(calibrator_, state->rig));
-    held = state->rig.holdProgress;
+    advice_->setText(cameraPairText(calibrator_, state->rigGuidance));
+    held = state->rigGuidance.holdProgress;
   }
   held_->setValue(static_cast<int>(kScreenSteps * held));
   fitText(); // a longer advice has smaller letters

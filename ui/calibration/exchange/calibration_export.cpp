@@ -37,7 +37,7 @@ QString withoutEnding(const QString& file) {
 constexpr double kLeastLossPx = 0.01; ///< less is not worth a number: no click is that accurate
 
 bool losesAccuracy(const CameraDifference& camera) {
-  return !(camera.maxDifferencePx <= kLeastLossPx) || camera.lostDirectionCount > 0;
+  return !(camera.maxDifferencePx <= kLeastLossPx) || camera.unseenDirectionCount > 0;
 }
 
 } // namespace
@@ -53,7 +53,7 @@ CalibrationExportDialog::CalibrationExportDialog(Document& document, QWidget* pa
     }
   }
   connect(format_, &QComboBox::currentIndexChanged, this, &CalibrationExportDialog::formatChanged);
-  connect(&document_, &Document::replaced, this, &QDialog::close);
+  connect(&document_, &Document::projectReplaced, this, &QDialog::close);
   connect(&document_, &Document::calibrationChanged, this, [this] {
     if (isVisible()) {
       refresh();
@@ -154,11 +154,11 @@ QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
     lines << QString::fromStdString(decision);
   }
   lines << QString();
-  if (std::ranges::none_of(conversion.cameras, losesAccuracy)) {
+  if (std::ranges::none_of(conversion.cameraDifferences, losesAccuracy)) {
     lines << tr("No accuracy is lost: points are projected to the same pixels as before.");
   }
-  for (std::size_t k = 0; k < conversion.cameras.size(); ++k) {
-    const CameraDifference& camera = conversion.cameras[k];
+  for (std::size_t k = 0; k < conversion.cameraDifferences.size(); ++k) {
+    const CameraDifference& camera = conversion.cameraDifferences[k];
     const QString name = cameraName(camera.camera, k);
     if (!(camera.maxDifferencePx <= kLeastLossPx)) {
       lines << (camera.isRefitted
@@ -168,11 +168,11 @@ QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
                     : tr("%1: with the exported calibration, projected points move by at most %2"))
                    .arg(name, pixelDifferenceText(camera.maxDifferencePx));
     }
-    if (camera.lostDirectionCount > 0) {
+    if (camera.unseenDirectionCount > 0) {
       lines << tr("%1: with the exported lens, %2 of 81 tested directions can no longer be "
                   "projected into the image")
                    .arg(name)
-                   .arg(camera.lostDirectionCount);
+                   .arg(camera.unseenDirectionCount);
     }
   }
   if (!replaced.isEmpty()) {
@@ -181,7 +181,7 @@ QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
   return lines.join(QLatin1Char('\n'));
 }
 
-ExchangeDialog::Preview CalibrationExportDialog::preview() {
+ExchangeDialog::Preview CalibrationExportDialog::makePreview() {
   return [this, project = document_.project(), target = target(),
           file = isFolder() ? QString() : file()] {
     const auto outcome =
@@ -227,7 +227,7 @@ void CalibrationExportDialog::finish(const Result<CalibrationConversion>& writte
   }
   const QString sentence = tr("Saved %1.").arg(files.join(QStringLiteral(", ")));
   showResult(sentence); // until an answer changes: there is nothing else to write
-  Q_EMIT done(sentence);
+  Q_EMIT completed(sentence);
 }
 
 } // namespace dewpoint::ui

@@ -18,7 +18,7 @@ public:
   void chooseFile() override;
 
 protected:
-  Preview preview() override;
+  Preview makePreview() override;
   void performExchange() override;
   void retranslateFields() override;
 

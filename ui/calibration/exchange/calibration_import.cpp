@@ -49,7 +49,7 @@ CalibrationImportDialog::CalibrationImportDialog(Document& document, const Camer
       setFile(folder);
     }
   });
-  connect(&document_, &Document::replaced, this, &QDialog::close);
+  connect(&document_, &Document::projectReplaced, this, &QDialog::close);
   connect(&cameras_, &CameraListModel::dataChanged, this, [this] {
     fillCameras();
     fillNames({});
@@ -175,7 +175,7 @@ ImportRequest CalibrationImportDialog::request() const {
   static const QRegularExpression kSize(
       QStringLiteral("^\\s*(\\d{1,6})\\s*[x×*]\\s*(\\d{1,6})\\s*$"));
   if (const auto size = kSize.match(size_->text()); size.hasMatch()) {
-    request.hints.size = {size.captured(1).toInt(), size.captured(2).toInt()};
+    request.hints.imageSize = {size.captured(1).toInt(), size.captured(2).toInt()};
   }
   const QString poses = poses_->currentData().toString();
   if (!poses.isEmpty()) {
@@ -184,17 +184,17 @@ ImportRequest CalibrationImportDialog::request() const {
   if (const QVariant camera = camera_->currentData(); camera.isValid()) {
     request.camera = static_cast<std::size_t>(camera.toInt());
   }
-  request.adaptation.fit = parseSizeFit(fit_->currentData().toString().toStdString());
+  request.adaptation.sizeFit = parseSizeFit(fit_->currentData().toString().toStdString());
   for (std::size_t k = 0; k < nameChoices_.size(); ++k) {
     if (const QString name = nameChoices_[k]->currentData().toString(); !name.isEmpty()) {
-      request.adaptation.names[cameras_.nameOf(static_cast<int>(k)).toStdString()] =
+      request.adaptation.cameraRenaming[cameras_.nameOf(static_cast<int>(k)).toStdString()] =
           name.toStdString();
     }
   }
   return request;
 }
 
-ExchangeDialog::Preview CalibrationImportDialog::preview() {
+ExchangeDialog::Preview CalibrationImportDialog::makePreview() {
   import_.reset();
   return [this, project = document_.project(), request = request()] {
     const auto made =
@@ -249,7 +249,7 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
   for (const std::string& decision : made->decisions) {
     lines << QString::fromStdString(decision);
   }
-  if (made->wasMatchedByOrder) {
+  if (made->wereCamerasMatchedByOrder) {
     lines << tr("The calibration uses other camera names. The cameras were matched by order.");
   }
   if (made->hasOnlyIntrinsics) {
@@ -260,7 +260,7 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
   for (int camera = 0; camera < cameras_.rowCount(); ++camera) {
     names << cameras_.nameOf(camera);
   }
-  for (const CameraDisagreement& fault : made->faults) {
+  for (const CameraDisagreement& fault : made->likelyMistakes) {
     lines << QStringLiteral("⚠ ") +
                  tr("Probably a mistake: %1").arg(disagreementText(fault, names));
   }
@@ -274,7 +274,7 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
   }
   lines << tr("After the import, projected points are at most %1 away from where the file projects "
               "them")
-               .arg(pixelDifferenceText(made->maxDifferencePx));
+               .arg(pixelDifferenceText(made->maxConversionErrorPx));
   showPreview(lines.join(QLatin1Char('\n')), true);
 }
 
@@ -286,14 +286,14 @@ void CalibrationImportDialog::performExchange() {
     for (std::size_t k = 0; k < std::min(project.cameras.size(), import_->project.cameras.size());
          ++k) {
       project.cameras[k].camera = import_->project.cameras[k].camera;
-      project.cameras[k].adjusted = import_->project.cameras[k].adjusted;
+      project.cameras[k].hasOwnCalibration = import_->project.cameras[k].hasOwnCalibration;
     }
   });
   if (!edited) {
     Q_EMIT failed(errorText(edited.error()));
     return;
   }
-  Q_EMIT done(tr("The cameras now use the calibration from %1.").arg(file()));
+  Q_EMIT completed(tr("The cameras now use the calibration from %1.").arg(file()));
   close();
 }
 

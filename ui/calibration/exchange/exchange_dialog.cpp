@@ -162,7 +162,7 @@ void ExchangeDialog::start() {
     preview_->clear();
     return;
   }
-  runTask(preview());
+  runTask(makePreview());
 }
 
 void ExchangeDialog::runTask(const Preview& task) {

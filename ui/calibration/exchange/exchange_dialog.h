@@ -37,14 +37,14 @@ public:
   bool isTyping() const { return typing_; }
 
 Q_SIGNALS:
-  void done(const QString& sentence);
+  void completed(const QString& sentence);
   void failed(const QString& sentence);
 
 protected:
   /// Function that computes the preview in another thread. The function that it returns shows the
   /// preview, and runs in the GUI thread.
   using Preview = std::function<std::function<void()>()>;
-  virtual Preview preview() = 0;
+  virtual Preview makePreview() = 0;
   virtual void performExchange() = 0;
   virtual void chooseFile() = 0;
   virtual void retranslateFields() = 0;

@@ -19,7 +19,7 @@ template <class Dialog, class... Parts> void open(const Workbench& bench, Parts&
     dialog = new Dialog(parts..., &bench.window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     QObject::connect(dialog, &ExchangeDialog::failed, &bench.messages, &MessageBar::showError);
-    QObject::connect(dialog, &ExchangeDialog::done, &bench.messages, &MessageBar::showNotice);
+    QObject::connect(dialog, &ExchangeDialog::completed, &bench.messages, &MessageBar::showNotice);
   }
   Workbench::presentDialog(dialog);
 }

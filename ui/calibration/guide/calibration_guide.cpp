@@ -10,7 +10,7 @@ namespace dewpoint::ui {
 CalibrationGuide::CalibrationGuide(Document& document, QObject* parent)
     : QObject(parent), document_(document) {
   connect(&document_, &Document::changed, this, &CalibrationGuide::refresh);
-  connect(&document_, &Document::replaced, this, &CalibrationGuide::restart);
+  connect(&document_, &Document::projectReplaced, this, &CalibrationGuide::restart);
   restart();
 }
 
@@ -40,7 +40,7 @@ void CalibrationGuide::setProcedure(CalibrationProcedure procedure) {
   adoptProcedure(procedure);
 }
 
-void CalibrationGuide::recordOpened() {
+void CalibrationGuide::markOpened() {
   if (procedure_ && !isInUse_) {
     isInUse_ = true;
     Q_EMIT changed();
@@ -59,8 +59,8 @@ std::vector<GuideStep> CalibrationGuide::steps() const {
   return procedure_ ? stepsOf(*procedure_) : std::vector<GuideStep>();
 }
 
-StepProgress CalibrationGuide::progress(GuideStep step) const {
-  return progressOf(step, document_.project(), status_);
+StepProgress CalibrationGuide::progressOf(GuideStep step) const {
+  return setup::progressOf(step, document_.project(), status_);
 }
 
 void CalibrationGuide::goToStep(int index) {

@@ -27,14 +27,14 @@ public:
   /// Sets the procedure that the user has chosen, and makes its first unfinished step current.
   void setProcedure(CalibrationProcedure procedure);
   /// Returns whether the guide is in use. It is in use once the user has chosen a procedure, or
-  /// once the guide was opened (recordOpened()) when procedure() was already known.
+  /// once the guide was opened (markOpened()) when procedure() was already known.
   bool isInUse() const { return isInUse_; }
   /// Records that the guide was opened. Has no effect while procedure() is unknown.
-  void recordOpened();
+  void markOpened();
   /// Returns the steps of the chosen way (procedure) to calibrate.
   std::vector<GuideStep> steps() const;
   /// Returns the progress of a step.
-  StepProgress progress(GuideStep step) const;
+  StepProgress progressOf(GuideStep step) const;
   /// Returns the index of the current step in `steps()`.
   int currentStep() const { return current_; }
   /// Makes a step the current one.

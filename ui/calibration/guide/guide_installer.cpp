@@ -82,7 +82,7 @@ void followCalibration(const Workbench& bench, QObject* context) {
   QObject::connect(&bench.session, &SessionController::opened, context, [follow] { follow(true); });
   QObject::connect(&bench.document, &Document::calibrationChanged, context,
                    [follow] { follow(false); });
-  QObject::connect(&bench.document, &Document::replaced, context, [bench, lacked] {
+  QObject::connect(&bench.document, &Document::projectReplaced, context, [bench, lacked] {
     *lacked = lacksCalibration(bench.document); // asked when its run begins
     bench.messages.withdrawQuestion(question());
   });
@@ -98,7 +98,7 @@ void installCalibrationGuide(const Workbench& bench, CalibrationMode& mode) {
                    [bench, &mode](GuideStep step) { openStep(bench, mode, step); });
   QObject::connect(&mode, &CalibrationMode::pageShown, guide, [guide](const QString& page) {
     if (page == kGuidePage) {
-      guide->recordOpened();
+      guide->markOpened();
     }
   });
   bench.onTriggered("actionCalibrate", guide, [&mode] { mode.open(kGuidePage); });

@@ -170,7 +170,8 @@ void GuidePage::refreshTable() {
     set(row, Lens, marked(camera.lens, lensText(camera.lens)));
     set(row, Position, marked(camera.pose, poseText(camera.pose)));
     set(row, Delay,
-        camera.delay == 0.0 ? QStringLiteral("–") : millisecondsText(inMilliseconds(camera.delay)));
+        camera.delaySeconds == 0.0 ? QStringLiteral("–")
+                                   : millisecondsText(inMilliseconds(camera.delaySeconds)));
   }
   int height = table_->horizontalHeader()->sizeHint().height() + 2 * table_->frameWidth();
   for (int row = 0; row < std::min(kMostRows, table_->rowCount()); ++row) {
@@ -182,9 +183,9 @@ void GuidePage::refreshTable() {
       tr("%1 Scale: %2").arg(statusSymbol(status.scale), scaleText(status.scale)),
       tr("%1 Floor and upward direction: %2")
           .arg(statusSymbol(status.floor), floorText(status.floor, status.isUpright))};
-  if (status.accuracy) {
+  if (status.errorInVolume) {
     lines << tr("✓ Accuracy in the calibrated volume: %1 (95 %)")
-                 .arg(lengthText(*status.accuracy, LengthForm::TwoDigits));
+                 .arg(lengthText(*status.errorInVolume, LengthForm::TwoDigits));
   } else {
     lines << tr("○ Accuracy in the calibrated volume: not measured");
   }
@@ -194,8 +195,8 @@ void GuidePage::refreshTable() {
   }
   if (status.lengthCheck) {
     lines << tr("✓ Length check: you measured %1, the calibration gives %2")
-                 .arg(lengthText(status.lengthCheck->measured, LengthScale::Meters, 4),
-                      lengthText(status.lengthCheck->found, LengthScale::Meters, 4));
+                 .arg(lengthText(status.lengthCheck->measuredLength, LengthScale::Meters, 4),
+                      lengthText(status.lengthCheck->calibratedLength, LengthScale::Meters, 4));
   }
   world_->setText(lines.join(QLatin1Char('\n')));
 }
@@ -215,7 +216,7 @@ void GuidePage::refreshStep() {
   needs_->setText(procedureText(*guide_.procedure()).requirements);
   const auto current = static_cast<std::size_t>(guide_.currentStep());
   const StepText text = stepText(steps[current]);
-  const StepProgress progress = guide_.progress(steps[current]);
+  const StepProgress progress = guide_.progressOf(steps[current]);
   stepTitle_->setText(tr("Step %1 of %2: %3").arg(current + 1).arg(steps.size()).arg(text.title));
   how_->setText(text.instructions);
   reached_->setText((progress.isDone() ? QStringLiteral("✓ ") : QStringLiteral("○ ")) +

@@ -188,21 +188,23 @@ QString progressText(GuideStep step, const StepProgress& progress) {
                      "Done: the distance in the calibration differs from the measured one by %1.")
                      .arg(error);
   }
-  return error.isEmpty()
-             ? GuideText::tr("Done for %1 of %2 cameras.").arg(progress.done).arg(progress.total)
-             : GuideText::tr("Done for %1 of %2 cameras. The largest error is %3.")
-                   .arg(progress.done)
-                   .arg(progress.total)
-                   .arg(error);
+  return error.isEmpty() ? GuideText::tr("Done for %1 of %2 cameras.")
+                               .arg(progress.doneCount)
+                               .arg(progress.totalCount)
+                         : GuideText::tr("Done for %1 of %2 cameras. The largest error is %3.")
+                               .arg(progress.doneCount)
+                               .arg(progress.totalCount)
+                               .arg(error);
 }
 
-QString progressNumber(GuideStep step, const StepProgress& progress) {
+QString progressNumberText(GuideStep step, const StepProgress& progress) {
   const QString error = deviationText(errorUnit(step), progress.error);
   if (progress.isDone() && !error.isEmpty()) {
     return error;
   }
-  return countsCameras(step) ? QStringLiteral("%1/%2").arg(progress.done).arg(progress.total)
-                             : QString();
+  return countsCameras(step)
+             ? QStringLiteral("%1/%2").arg(progress.doneCount).arg(progress.totalCount)
+             : QString();
 }
 
 QString lensText(const ItemStatus& lens) {

@@ -27,7 +27,7 @@ StepText stepText(GuideStep step);
 QString progressText(GuideStep step, const StepProgress& progress);
 /// Returns the progress of a step as one number for the row of steps, for example "2/4" or "0.4
 /// px"; empty if there is no number.
-QString progressNumber(GuideStep step, const StepProgress& progress);
+QString progressNumberText(GuideStep step, const StepProgress& progress);
 
 /// Return what is known about the intrinsics and about the position of a camera, for example
 /// "board, ±0.4 px".

@@ -62,8 +62,8 @@ void StepStrip::refresh() {
   setCount(static_cast<int>(steps.size()));
   for (std::size_t k = 0; k < steps.size(); ++k) {
     const StepText text = stepText(steps[k]);
-    const StepProgress progress = guide_.progress(steps[k]);
-    const QString number = progressNumber(steps[k], progress);
+    const StepProgress progress = guide_.progressOf(steps[k]);
+    const QString number = progressNumberText(steps[k], progress);
     QToolButton* button = buttons_[k];
     button->setText(glance(progress, number) + QLatin1Char('\n') + text.name);
     button->setChecked(static_cast<int>(k) == guide_.currentStep());

@@ -219,7 +219,7 @@ void CameraForm::refresh() {
   if (manual_.cameraCount() == 0) {
     return;
   }
-  const Camera camera = manual_.projectCamera(manual_.camera());
+  const Camera camera = manual_.cameraInProject(manual_.camera());
   const Heading heading = headingOf(camera);
   const Eigen::Vector3d target = aimPoint(camera, manual_.grid().origin.z());
   const double angles[] = {inDegrees(heading.yaw), inDegrees(heading.pitch), 0.0};
@@ -241,7 +241,7 @@ void CameraForm::change(const QString& what, const QString& value, const Camera&
 }
 
 void CameraForm::editPosition(int axis, double value) {
-  const Camera camera = manual_.projectCamera(manual_.camera());
+  const Camera camera = manual_.cameraInProject(manual_.camera());
   Eigen::Vector3d position = camera.center();
   position[axis] = value * metersPerUnit();
   const auto* field = position_[static_cast<std::size_t>(axis)];
@@ -249,7 +249,7 @@ void CameraForm::editPosition(int axis, double value) {
 }
 
 void CameraForm::editAim(int index, double value) {
-  const Camera camera = manual_.projectCamera(manual_.camera());
+  const Camera camera = manual_.cameraInProject(manual_.camera());
   const auto* field = aim_[static_cast<std::size_t>(index)];
   const char* const keys[] = {"aim x", "aim y", "aim z", "roll"};
   if (index < 3 && looksAtPoint()) {
@@ -264,7 +264,7 @@ void CameraForm::editAim(int index, double value) {
 }
 
 void CameraForm::editLens(double value) {
-  const Camera camera = manual_.projectCamera(manual_.camera());
+  const Camera camera = manual_.cameraInProject(manual_.camera());
   const double focal = showsFieldOfView() ? focalLengthOf(camera, value * base::kDegree) : value;
   change(showsFieldOfView() ? tr("field of view") : tr("focal length"), lens_->text(),
          withFocalLength(camera, focal), "lens");

@@ -105,7 +105,7 @@ void GridForm::connectFields() {
     edit([value](ReferenceGrid& grid) { grid.step = value; }, "grid step");
   });
   connect(rotation_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([value](ReferenceGrid& grid) { grid.turn = value * base::kDegree; }, "grid turn");
+    edit([value](ReferenceGrid& grid) { grid.rotationAngle = value * base::kDegree; }, "grid turn");
   });
   for (QDoubleSpinBox* field : findChildren<QDoubleSpinBox*>()) {
     connect(field, &QDoubleSpinBox::editingFinished, &manual_, &ManualCalibration::endStepMerging);
@@ -185,7 +185,7 @@ void GridForm::refresh() {
   size_[1]->setEnabled(grid.kind != GridKind::Wall);
   size_[2]->setEnabled(grid.kind != GridKind::Floor);
   showValue(*step_, grid.step);
-  showValue(*rotation_, inDegrees(grid.turn));
+  showValue(*rotation_, inDegrees(grid.rotationAngle));
 }
 
 } // namespace dewpoint::ui

@@ -190,7 +190,7 @@ bool GridLayer::event(QEvent* event) {
     auto* key = static_cast<QKeyEvent*>(event);
     const bool isOwn = key->key() == Qt::Key_Escape || key->key() == Qt::Key_Delete ||
                        (key->key() == Qt::Key_B && key->modifiers() == Qt::NoModifier);
-    if (isOwn || nudgeOf(*key, manual_.keyMode())) {
+    if (isOwn || nudgeForKey(*key, manual_.keyMode())) {
       event->accept();
       return true;
     }
@@ -218,10 +218,10 @@ void GridLayer::keyPressEvent(QKeyEvent* event) {
     points_.removeClick(camera_);
     return;
   }
-  if (const auto nudge = nudgeOf(*event, manual_.keyMode()); nudge && !manual_.isDragging()) {
+  if (const auto nudge = nudgeForKey(*event, manual_.keyMode()); nudge && !manual_.isDragging()) {
     manual_.selectCamera(camera_);
-    nudge->axis < 0 ? manual_.nudgeFocalLength(nudge->amount, event->isAutoRepeat())
-                    : manual_.nudge(nudge->axis, nudge->amount, event->isAutoRepeat());
+    nudge->axis < 0 ? manual_.nudgeFocalLength(nudge->stepsOrPercent, event->isAutoRepeat())
+                    : manual_.nudge(nudge->axis, nudge->stepsOrPercent, event->isAutoRepeat());
     return;
   }
   QWidget::keyPressEvent(event);
@@ -278,7 +278,7 @@ void GridLayer::drawEdges(QPainter& painter) {
   if (edges_.isNull()) {
     return;
   }
-  const QRectF area(view_->placement().corner,
+  const QRectF area(view_->placement().topLeft,
                     QSizeF(view_->imageSize()) * view_->placement().scale);
   painter.fillRect(area, QColor(0, 0, 0, 120)); // the rest steps back
   painter.drawImage(area, edges_);
@@ -296,7 +296,7 @@ void GridLayer::drawPoints(QPainter& painter) {
     painted.isInOtherFrames =
         !painted.isSelected && snapshot_ && isClickedOnlyInOtherFrames(all[k], snapshot_->frame);
     painted.isMisfit = points_.misfitPoint() == static_cast<int>(k);
-    if (const PointClick* click = clickIn(all[k], camera_)) {
+    if (const PointClick* click = findClick(all[k], camera_)) {
       painted.click = widgetPosition(click->pixel, placement);
     }
     if (const auto seen = projector.project(all[k].world); seen && isInside(*seen)) {

@@ -44,7 +44,7 @@ Stroke strokeOf(GridRole role) {
 
 template <class Draw>
 void withGridHalo(QPainter& painter, const QColor& color, double width, const Draw& draw) {
-  withHalo(painter, color, width, draw, Qt::SolidLine, kGridHalo);
+  drawWithHalo(painter, color, width, draw, Qt::SolidLine, kGridHalo);
 }
 
 QSizeF gridLabelSize(const QPainter& painter, const QString& text) {
@@ -132,7 +132,7 @@ void paintLabels(QPainter& painter, const ProjectedGrid& grid, const ImagePlacem
     const QPointF at = widgetPosition(label->at, placement);
     const QSizeF size = gridLabelSize(painter, text);
     const bool isName = std::exchange(named, label->role) != label->role;
-    if (const auto place = isName ? places.reserveEvenOverLines(at, size, at - middle)
+    if (const auto place = isName ? places.reservePlaceOverLines(at, size, at - middle)
                                   : places.reservePlace(at, size, at - middle)) {
       paintText(painter, *place, text, strokeOf(label->role).color);
     }
@@ -176,8 +176,8 @@ void paintPointNames(QPainter& painter, const std::vector<PaintedPoint>& points)
     const auto& at = point.click ? point.click : point.projection;
     const QSizeF size = gridLabelSize(painter, point.name);
     const auto place = !at                     ? std::nullopt
-                       : point.isInOtherFrames ? places.reserveInDirectionOnly(*at, size, upRight)
-                                               : places.reserveEvenOverLines(*at, size, upRight);
+                       : point.isInOtherFrames ? places.reservePlaceInDirection(*at, size, upRight)
+                                               : places.reservePlaceOverLines(*at, size, upRight);
     if (place) {
       painter.setOpacity(point.isInOtherFrames ? kElsewhereOpacity : 1.0);
       paintText(painter, *place, point.name, pointColor(point));
@@ -188,7 +188,7 @@ void paintPointNames(QPainter& painter, const std::vector<PaintedPoint>& points)
 } // namespace
 
 QPointF widgetPosition(const Eigen::Vector2d& pixel, const ImagePlacement& placement) {
-  return placement.corner + QPointF(pixel.x() + 0.5, pixel.y() + 0.5) * placement.scale;
+  return placement.topLeft + QPointF(pixel.x() + 0.5, pixel.y() + 0.5) * placement.scale;
 }
 
 void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacement& placement,

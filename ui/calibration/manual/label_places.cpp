@@ -81,14 +81,14 @@ std::optional<QRectF> LabelPlacer::reservePlace(QPointF point, QSizeF size, QPoi
   return reserved(find(point, size, outward, false));
 }
 
-std::optional<QRectF> LabelPlacer::reserveEvenOverLines(QPointF point, QSizeF size,
-                                                        QPointF outward) {
+std::optional<QRectF> LabelPlacer::reservePlaceOverLines(QPointF point, QSizeF size,
+                                                         QPointF outward) {
   const auto free = find(point, size, outward, false);
   return reserved(free ? free : find(point, size, outward, true));
 }
 
-std::optional<QRectF> LabelPlacer::reserveInDirectionOnly(QPointF point, QSizeF size,
-                                                          QPointF outward) {
+std::optional<QRectF> LabelPlacer::reservePlaceInDirection(QPointF point, QSizeF size,
+                                                           QPointF outward) {
   const QRectF box = boxBeside(point, size, std::atan2(outward.y(), outward.x()));
   return reserved(area_.contains(point) && isFree(box, false) ? std::optional(box) : std::nullopt);
 }

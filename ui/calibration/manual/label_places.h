@@ -26,10 +26,10 @@ public:
   std::optional<QRectF> reservePlace(QPointF point, QSizeF size, QPointF outward);
   /// Finds a place like reservePlace(), for a label that must not be left out: if there is no other
   /// room, the label may cover a line.
-  std::optional<QRectF> reserveEvenOverLines(QPointF point, QSizeF size, QPointF outward);
+  std::optional<QRectF> reservePlaceOverLines(QPointF point, QSizeF size, QPointF outward);
   /// Finds a place like reservePlace(), for a label that may be left out: tries only the direction
   /// `outward`.
-  std::optional<QRectF> reserveInDirectionOnly(QPointF point, QSizeF size, QPointF outward);
+  std::optional<QRectF> reservePlaceInDirection(QPointF point, QSizeF size, QPointF outward);
 
 private:
   /// Returns the rectangle of a label in the direction `angle`, radians.

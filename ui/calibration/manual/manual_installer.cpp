@@ -15,7 +15,7 @@ namespace dewpoint::ui {
 
 void installManualCalibration(const Workbench& bench, CalibrationMode& mode,
                               const CameraDocks& cameras) {
-  ManualCalibration* manual = &mode.manual();
+  ManualCalibration* manual = &mode.manualCalibration();
   auto* points = new PointCalibrator(bench.document, *manual, &mode);
   mode.addPage(new ManualCalibrationPage(*manual, *points),
                [] { return ManualCalibrationPage::tr("By hand"); });

@@ -77,7 +77,7 @@ KeyNudge stepOf(Way way, KeyMode mode) {
 
 } // namespace
 
-std::optional<KeyNudge> nudgeOf(const QKeyEvent& event, KeyMode mode) {
+std::optional<KeyNudge> nudgeForKey(const QKeyEvent& event, KeyMode mode) {
   const Qt::KeyboardModifiers modifiers = event.modifiers();
   if (modifiers & (Qt::AltModifier | Qt::MetaModifier)) {
     return std::nullopt;
@@ -91,7 +91,7 @@ std::optional<KeyNudge> nudgeOf(const QKeyEvent& event, KeyMode mode) {
   // Plus needs Shift on many keyboards.
   const bool zooms = nudge.axis < 0;
   const bool coarse = modifiers.testFlag(Qt::ShiftModifier) && !zooms;
-  nudge.amount *= fine ? 0.1 : coarse ? 10.0 : 1.0;
+  nudge.stepsOrPercent *= fine ? 0.1 : coarse ? 10.0 : 1.0;
   return nudge;
 }
 

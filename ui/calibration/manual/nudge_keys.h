@@ -11,8 +11,8 @@ namespace dewpoint::ui {
 
 /// Effect of a key on the selected camera.
 struct KeyNudge {
-  int axis = 0;        ///< 0, 1 or 2: axis along or about which the camera moves; -1: focal length
-  double amount = 1.0; ///< number of steps; percent for the focal length
+  int axis = 0; ///< 0, 1 or 2: axis along or about which the camera moves; -1: focal length
+  double stepsOrPercent = 1.0; ///< number of steps; percent for the focal length
 };
 
 /// Returns the effect of a key press, or nothing if the key has no effect. Arrows and W A S D move
@@ -20,6 +20,6 @@ struct KeyNudge {
 /// move it down and up, or roll it. Plus and minus change the focal length. Shift multiplies the
 /// step by ten. Ctrl divides it by ten, except with letters, because Ctrl with a letter is a window
 /// shortcut.
-std::optional<KeyNudge> nudgeOf(const QKeyEvent& event, KeyMode mode);
+std::optional<KeyNudge> nudgeForKey(const QKeyEvent& event, KeyMode mode);
 
 } // namespace dewpoint::ui

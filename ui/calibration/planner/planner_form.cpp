@@ -118,8 +118,8 @@ void PlannerForm::connectFields() {
 }
 
 void PlannerForm::connectSearch() {
-  BackgroundJob& search = plan_.positionSearch();
-  connect(find_, &QPushButton::clicked, &plan_, &RigPlanner::findBestPosition);
+  BackgroundJob& search = plan_.positionSearchJob();
+  connect(find_, &QPushButton::clicked, &plan_, &RigPlanner::findBestCameraPosition);
   connect(cancel_, &QPushButton::clicked, &search, &BackgroundJob::cancel);
   const auto show = [this](bool running) {
     progress_->setValue(0);
@@ -205,11 +205,12 @@ void PlannerForm::refresh() {
     showValue(*position_[index], any ? camera.center()[k] : 0.0);
     showValue(*target_[index], any ? target[k] : 0.0);
   }
-  showValue(*fieldOfView_, inDegrees(any ? fieldOfView(camera) : plan_.lens().fieldOfView));
-  showValue(*imageWidth_, any ? camera.intrinsics.width : plan_.lens().width);
-  showValue(*imageHeight_, any ? camera.intrinsics.height : plan_.lens().height);
+  showValue(*fieldOfView_,
+            inDegrees(any ? fieldOfView(camera) : plan_.lens().horizontalFieldOfView));
+  showValue(*imageWidth_, any ? camera.intrinsics.width : plan_.lens().imageWidth);
+  showValue(*imageHeight_, any ? camera.intrinsics.height : plan_.lens().imageHeight);
   showValue(*wall_, plan_.wallDistance());
-  const QString next = plan_.nextName();
+  const QString next = plan_.nextCameraName();
   find_->setText(tr("Find best position for %1").arg(next));
   find_->setAccessibleName(find_->text());
   find_->setToolTip(tr("Search the walls and the ceiling for the position where another camera "

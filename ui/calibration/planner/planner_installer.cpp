@@ -21,8 +21,8 @@ namespace dewpoint::ui {
 PlannerInstaller::PlannerInstaller(const Workbench& bench, CalibrationMode& mode,
                                    BirdsEyeView& birdsEye)
     : QObject(&bench.window), bench_(bench), mode_(mode), birdsEye_(birdsEye),
-      manual_(mode.manual()),
-      plan_(new RigPlanner(bench.document, mode.manual(), bench.selection, this)) {
+      manual_(mode.manualCalibration()),
+      plan_(new RigPlanner(bench.document, mode.manualCalibration(), bench.selection, this)) {
   mode_.addPage(new PlanPage(*plan_), [] { return PlanPage::tr("Plan"); });
   connect(plan_, &RigPlanner::mapChanged, this, [this] {
     const bool shown = plan_->isMapShown() && manual_.isActive();
@@ -54,7 +54,7 @@ void PlannerInstaller::connectBirdsEye() {
             }
             manual_.changeCamera(
                 camera, tr("Move %1 in the bird's-eye view").arg(manual_.nameOf(camera)),
-                withPosition(manual_.projectCamera(camera), center), "drag center");
+                withPosition(manual_.cameraInProject(camera), center), "drag center");
           });
   connect(&birdsEye_, &BirdsEyeView::cameraAimed, this,
           [this](int camera, const Eigen::Vector3d& target) {
@@ -63,7 +63,7 @@ void PlannerInstaller::connectBirdsEye() {
             }
             manual_.changeCamera(camera,
                                  tr("Turn %1 in the bird's-eye view").arg(manual_.nameOf(camera)),
-                                 lookingAt(manual_.projectCamera(camera), target), "drag target");
+                                 lookingAt(manual_.cameraInProject(camera), target), "drag target");
           });
   connect(&birdsEye_, &BirdsEyeView::cameraDropped, &manual_, &ManualCalibration::endStepMerging);
 }
@@ -82,7 +82,7 @@ void PlannerInstaller::connectActions() {
   });
   bench_.onTriggered("actionFindPlace", this, [this] {
     open();
-    plan_->findBestPosition();
+    plan_->findBestCameraPosition();
   });
   bench_.requireRun({"actionPlanRig", "actionShowMap", "actionPlanCamera", "actionFindPlace"});
 }

@@ -18,7 +18,8 @@ namespace dewpoint::ui {
 namespace {
 
 Camera withLens(const Camera& camera, const PlannedLens& lens) {
-  Camera changed = idealCamera(camera.name, lens.width, lens.height, lens.fieldOfView);
+  Camera changed =
+      idealCamera(camera.name, lens.imageWidth, lens.imageHeight, lens.horizontalFieldOfView);
   changed.cameraFromWorld = camera.cameraFromWorld;
   return changed;
 }
@@ -29,7 +30,7 @@ RigPlanner::RigPlanner(Document& document, ManualCalibration& manual, Selection&
                        QObject* parent)
     : QObject(parent), document_(document), manual_(manual), selection_(selection),
       mapper_(std::make_shared<RigMapper>()) {
-  connect(&document_, &Document::replaced, this, [this] {
+  connect(&document_, &Document::projectReplaced, this, [this] {
     search_.cancel();
     planned_.clear();
     selection_.selectPlannedCamera(-1);
@@ -40,7 +41,7 @@ RigPlanner::RigPlanner(Document& document, ManualCalibration& manual, Selection&
   });
   connect(&document_, &Document::changed, this, [this](const ProjectChanges& changes) {
     // Not with every pose: a volume that grows with a camera in the hand is hard to read.
-    if (changes.grid || changes.sources) {
+    if (changes.gridChanged || changes.sourcesChanged) {
       adoptProjectVolume();
     }
   });
@@ -151,7 +152,7 @@ void RigPlanner::selectCamera(int planned) {
   }
 }
 
-QString RigPlanner::nextName() const {
+QString RigPlanner::nextCameraName() const {
   return QString::fromStdString(
       unusedCameraName(rig(), document_.project().cameras.size(), [](std::size_t number) {
         return cameraName(std::string(), number).toStdString();
@@ -160,7 +161,7 @@ QString RigPlanner::nextName() const {
 
 void RigPlanner::addCamera() {
   Camera camera = withLens({}, lens_);
-  camera.name = nextName().toStdString();
+  camera.name = nextCameraName().toStdString();
   planned_.push_back(placedInFarthestCorner(camera, rig(), volume_));
   selectCamera(int(planned_.size()) - 1);
   requestMap();
@@ -204,14 +205,14 @@ void RigPlanner::setWallDistance(double meters) {
   Q_EMIT changed();
 }
 
-void RigPlanner::findBestPosition() {
+void RigPlanner::findBestCameraPosition() {
   Camera lens = withLens({}, lens_);
-  lens.name = nextName().toStdString();
+  lens.name = nextCameraName().toStdString();
   PlacementSettings settings;
   settings.volume = volume_;
   settings.wallDistance = wallDistance_;
   settings.pixelSigma = pixelSigma_;
-  settings.goodSigma = look_.goodSigma;
+  settings.maxGoodSigma = look_.maxGoodSigma;
   settings.reportedCellCount = kMapCells;
   search_.start([this, lens, settings, rig = rig()](const BackgroundJob::Progress& progress) {
     const auto found = placeCamera(rig, lens, settings,
@@ -237,9 +238,9 @@ void RigPlanner::applyPlacement(const Result<PlacedCamera>& found) {
           .arg(QString::fromStdString(found->camera.name),
                lengthNumber(place.x(), LengthScale::Meters, 2),
                lengthNumber(place.y(), LengthScale::Meters, 2),
-               lengthText(place.z(), LengthScale::Meters, 2), shareText(found->goodFractionAfter),
-               lengthText(look_.goodSigma, LengthForm::Short),
-               shareText(found->goodFractionBefore)));
+               lengthText(place.z(), LengthScale::Meters, 2), percentText(found->goodVolumeFractionAfter),
+               lengthText(look_.maxGoodSigma, LengthForm::Short),
+               percentText(found->goodVolumeFractionBefore)));
 }
 
 } // namespace dewpoint::ui

@@ -21,9 +21,9 @@ class Selection;
 
 /// Image size (pixels) and field of view of a planned camera.
 struct PlannedLens {
-  int width = 640;
-  int height = 480;
-  double fieldOfView = 1.0; ///< horizontal, radians
+  int imageWidth = 640;
+  int imageHeight = 480;
+  double horizontalFieldOfView = 1.0; ///< radians
 
   bool operator==(const PlannedLens&) const = default;
 };
@@ -70,14 +70,14 @@ public:
   void setLens(const PlannedLens& lens);
   /// Returns the name for the next camera. Its number continues the numbering of the project
   /// cameras.
-  QString nextName() const;
+  QString nextCameraName() const;
 
   // Search for a position.
   double wallDistance() const { return wallDistance_; }
   void setWallDistance(double meters);
   /// Searches for the best position of an additional camera and adds the camera there.
-  void findBestPosition();
-  BackgroundJob& positionSearch() { return search_; }
+  void findBestCameraPosition();
+  BackgroundJob& positionSearchJob() { return search_; }
 
 Q_SIGNALS:
   /// Emitted when a setting or a planned camera has changed.

@@ -113,11 +113,11 @@ void UncertaintyMapForm::connectFields() {
             look.quantity = index == 1 ? MapQuantity::CameraCount : MapQuantity::Sigma;
           }));
   connect(good_, &QDoubleSpinBox::valueChanged, this,
-          edit([](MapOptions& look, double value) { look.goodSigma = fromMillimeters(value); }));
+          edit([](MapOptions& look, double value) { look.maxGoodSigma = fromMillimeters(value); }));
   connect(slice_, &QCheckBox::toggled, this,
-          edit([](MapOptions& look, bool shown) { look.layerShown = shown; }));
+          edit([](MapOptions& look, bool shown) { look.showsLayer = shown; }));
   connect(volume_, &QCheckBox::toggled, this,
-          edit([](MapOptions& look, bool shown) { look.volumeShown = shown; }));
+          edit([](MapOptions& look, bool shown) { look.showsVolume = shown; }));
   connect(height_, &QDoubleSpinBox::valueChanged, this,
           edit([](MapOptions& look, double value) { look.layerHeight = value; }));
   connect(heightSlider_, &QSlider::valueChanged, this, edit([this](MapOptions& look, int step) {
@@ -205,10 +205,10 @@ void UncertaintyMapForm::refresh() {
   const MapOptions& look = plan_.mapOptions();
   const Eigen::AlignedBox3d& box = plan_.volume();
   tick(*shown_, plan_.isMapShown());
-  tick(*slice_, look.layerShown);
-  tick(*volume_, look.volumeShown);
+  tick(*slice_, look.showsLayer);
+  tick(*volume_, look.showsVolume);
   quantity_->setCurrentIndex(look.quantity == MapQuantity::CameraCount ? 1 : 0);
-  showValue(*good_, inMillimeters(look.goodSigma));
+  showValue(*good_, inMillimeters(look.maxGoodSigma));
   showValue(*pixel_, plan_.pixelSigma());
   showValue(*height_, look.layerHeight);
   {
@@ -227,12 +227,12 @@ void UncertaintyMapForm::refresh() {
 void UncertaintyMapForm::summarize() {
   QString text;
   if (plan_.isMapShown() && plan_.map()) {
-    const RigMapSummary summary = summaryOf(*plan_.map(), plan_.mapOptions().goodSigma);
+    const RigMapSummary summary = summaryOf(*plan_.map(), plan_.mapOptions().maxGoodSigma);
     text = tr("The error is at most %2 in %1 of the volume. Fewer than two cameras see %3 of the "
               "volume")
-               .arg(shareText(summary.fractionWithinLimit),
-                    lengthText(plan_.mapOptions().goodSigma, LengthForm::Short),
-                    shareText(summary.fractionSeenByTooFew));
+               .arg(percentText(summary.fractionWithinLimit),
+                    lengthText(plan_.mapOptions().maxGoodSigma, LengthForm::Short),
+                    percentText(summary.fractionSeenByTooFew));
   }
   summary_->setText(text);
   summary_->setVisible(!text.isEmpty());

@@ -16,31 +16,32 @@
 namespace dewpoint::ui {
 
 QString symmetryText(const QString& camera, const ImageSymmetry& symmetry) {
-  if (symmetry.mirrored && symmetry.rotateDegrees != 0) {
+  if (symmetry.isMirrored && symmetry.rotateDegrees != 0) {
     return PointCalibrator::tr("The images of %1 are rotated and mirrored: turn them clockwise by "
                                "%2 degrees, then mirror them")
         .arg(camera)
         .arg(symmetry.rotateDegrees);
   }
-  return symmetry.mirrored ? PointCalibrator::tr("The images of %1 are mirrored").arg(camera)
-                           : PointCalibrator::tr(
-                                 "The images of %1 are rotated: turn them clockwise by %2 degrees")
-                                 .arg(camera)
-                                 .arg(symmetry.rotateDegrees);
+  return symmetry.isMirrored
+             ? PointCalibrator::tr("The images of %1 are mirrored").arg(camera)
+             : PointCalibrator::tr(
+                   "The images of %1 are rotated: turn them clockwise by %2 degrees")
+                   .arg(camera)
+                   .arg(symmetry.rotateDegrees);
 }
 
 PointCalibrator::PointCalibrator(Document& document, ManualCalibration& manual, QObject* parent)
     : QObject(parent), document_(document), manual_(manual) {
   connect(&document_, &Document::changed, this, [this](const ProjectChanges& changes) {
-    if (changes.points || changes.calibration || changes.sources) {
-      if (!applying_ && (changes.points || changes.sources)) {
+    if (changes.pointsChanged || changes.calibrationChanged || changes.sourcesChanged) {
+      if (!applying_ && (changes.pointsChanged || changes.sourcesChanged)) {
         discardSolution();
       }
       chosen_ = std::min(chosen_, static_cast<int>(points().size()) - 1);
       Q_EMIT this->changed();
     }
   });
-  connect(&document_, &Document::replaced, this, [this] {
+  connect(&document_, &Document::projectReplaced, this, [this] {
     chosen_ = points().empty() ? -1 : 0;
     discardSolution();
     setClicksPlacePoint(false);
@@ -51,7 +52,7 @@ PointCalibrator::PointCalibrator(Document& document, ManualCalibration& manual, 
 PointCalibrator::~PointCalibrator() = default;
 
 const std::vector<MeasuredPoint>& PointCalibrator::points() const {
-  return document_.project().points;
+  return document_.project().measuredPoints;
 }
 
 bool PointCalibrator::edit(const QString& step, const std::function<void(Project&)>& change,
@@ -84,7 +85,7 @@ void PointCalibrator::addPoint() {
   }
   const ReferenceGrid grid = manual_.grid();
   edit(tr("Add measured point"), [&](Project& project) {
-    MeasuredPoint& point = project.points.emplace_back();
+    MeasuredPoint& point = project.measuredPoints.emplace_back();
     point.name = name.toStdString();
     point.world = grid.origin;
   });
@@ -93,22 +94,24 @@ void PointCalibrator::addPoint() {
 
 void PointCalibrator::removePoint() {
   if (chosen_ >= 0 && chosen_ < static_cast<int>(points().size())) {
-    edit(tr("Remove measured point"),
-         [this](Project& project) { project.points.erase(project.points.begin() + chosen_); });
+    edit(tr("Remove measured point"), [this](Project& project) {
+      project.measuredPoints.erase(project.measuredPoints.begin() + chosen_);
+    });
   }
 }
 
 bool PointCalibrator::renamePoint(int point, const QString& name) {
   return edit(tr("Rename measured point"), [&](Project& project) {
-    project.points[static_cast<std::size_t>(point)].name = name.trimmed().toStdString();
+    project.measuredPoints[static_cast<std::size_t>(point)].name = name.trimmed().toStdString();
   });
 }
 
 bool PointCalibrator::setWorldPosition(int point, const Eigen::Vector3d& world) {
-  return edit(
-      tr("Position of %1")
-          .arg(QString::fromStdString(points()[static_cast<std::size_t>(point)].name)),
-      [&](Project& project) { project.points[static_cast<std::size_t>(point)].world = world; });
+  return edit(tr("Position of %1")
+                  .arg(QString::fromStdString(points()[static_cast<std::size_t>(point)].name)),
+              [&](Project& project) {
+                project.measuredPoints[static_cast<std::size_t>(point)].world = world;
+              });
 }
 
 void PointCalibrator::setClicksPlacePoint(bool clicking) {
@@ -127,7 +130,7 @@ void PointCalibrator::setClick(int camera, const Eigen::Vector2d& pixel,
   const auto point = static_cast<std::size_t>(chosen_);
   edit(tr("Click %1 in %2")
            .arg(QString::fromStdString(points()[point].name), manual_.nameOf(camera)),
-       [&](Project& project) { setClickIn(project.points[point], camera, pixel, frame); });
+       [&](Project& project) { setClickIn(project.measuredPoints[point], camera, pixel, frame); });
 }
 
 void PointCalibrator::removeClick(int camera) {
@@ -138,7 +141,7 @@ void PointCalibrator::removeClick(int camera) {
   edit(tr("Remove %1 in %2")
            .arg(QString::fromStdString(points()[point].name), manual_.nameOf(camera)),
        [&](Project& project) {
-         std::erase_if(project.points[point].clicks,
+         std::erase_if(project.measuredPoints[point].clicks,
                        [&](const PointClick& click) { return click.camera == camera; });
        });
 }
@@ -147,18 +150,18 @@ std::vector<ClickResidual> PointCalibrator::residuals() const {
   return clickResiduals(rigOf(document_.project()), points());
 }
 
-void PointCalibrator::solve(bool estimateFocal) {
+void PointCalibrator::solve(bool estimatesFocal) {
   PointSettings settings;
-  settings.estimateFocal = estimateFocal;
+  settings.estimatesFocal = estimatesFocal;
   const bool begun = job_.start([this, rig = rigOf(document_.project()), all = points(),
                                  settings](const BackgroundJob::Progress&) {
     auto solution = std::make_shared<const PointSolution>(solveFromPoints(rig, all, settings));
     return [this, solution, all, settings] {
       if (all == points() && solution->rig.size() == document_.project().cameras.size()) {
-        applyResult(*solution, settings.estimateFocal);
+        applyResult(*solution, settings.estimatesFocal);
       }
       Q_EMIT changed();
-      Q_EMIT solved();
+      Q_EMIT solvingEnded();
     };
   });
   if (begun) {
@@ -241,9 +244,9 @@ QString PointCalibrator::worstPointText(const PointSolution& solution) const {
   double pixels = 0.0;
   double meters = 0.0;
   for (const ClickResidual& residual : solution.residuals) {
-    if (residual.point == *solution.worstPoint && std::isfinite(residual.pixels)) {
-      pixels = std::max(pixels, residual.pixels);
-      meters = std::max(meters, residual.meters);
+    if (residual.pointIndex == *solution.worstPoint && std::isfinite(residual.imageDistancePx)) {
+      pixels = std::max(pixels, residual.imageDistancePx);
+      meters = std::max(meters, residual.rayDistance);
     }
   }
   const QString name = QString::fromStdString(points()[worst].name);
@@ -274,7 +277,7 @@ QString PointCalibrator::proposalText() const {
     return tr("Mirror the images of %1").arg(name);
   }
   const QString angle = angleText(symmetry.rotateDegrees * base::kDegree, 0);
-  return symmetry.mirrored
+  return symmetry.isMirrored
              ? tr("Rotate the images of %1 clockwise by %2, and mirror them").arg(name, angle)
              : tr("Rotate the images of %1 clockwise by %2").arg(name, angle);
 }

@@ -55,7 +55,7 @@ public:
   std::vector<ClickResidual> residuals() const;
 
   bool isSolving() const { return job_.isRunning(); }
-  void solve(bool estimateFocal);
+  void solve(bool estimatesFocal);
   /// Returns the report of the last solution, one sentence per line, or an empty string before the
   /// first solution.
   const QString& resultText() const { return resultText_; }
@@ -71,7 +71,7 @@ public:
 
 Q_SIGNALS:
   void changed();
-  void solved();
+  void solvingEnded();
 
 private:
   bool edit(const QString& step, const std::function<void(Project&)>& change,

@@ -190,12 +190,12 @@ void PointsTable::showResiduals() {
     double meters = -1.0;
     QStringList each;
     for (const ClickResidual& residual : residuals) {
-      if (residual.point == row) {
-        pixels = std::max(pixels, residual.pixels);
-        meters = std::max(meters, residual.meters);
+      if (residual.pointIndex == row) {
+        pixels = std::max(pixels, residual.imageDistancePx);
+        meters = std::max(meters, residual.rayDistance);
         each << tr("%1: %2, %3")
-                    .arg(manual_.nameOf(residual.camera), pixelText(residual.pixels, 2),
-                         lengthText(residual.meters, LengthScale::Millimeters, 1));
+                    .arg(manual_.nameOf(residual.camera), pixelText(residual.imageDistancePx, 2),
+                         lengthText(residual.rayDistance, LengthScale::Millimeters, 1));
       }
     }
     setCell(row, Pixels, pixels < 0.0 ? QStringLiteral("–") : numberText(pixels, 2), false);
@@ -247,8 +247,8 @@ void PointsTable::refresh() {
   click_->setText((points_.clicksPlacePoint() ? QStringLiteral("● ") : QString()) +
                   tr("Click in images"));
   forget_->setEnabled(any &&
-                      clickIn(points_.points()[static_cast<std::size_t>(points_.selectedPoint())],
-                              manual_.camera()) != nullptr);
+                      findClick(points_.points()[static_cast<std::size_t>(points_.selectedPoint())],
+                                manual_.camera()) != nullptr);
   solve_->setEnabled(count > 0 && !points_.isSolving());
   showResult();
   const auto proposed = points_.proposedCamera();

@@ -15,11 +15,11 @@ CoverageMap::CoverageMap(QWidget* parent) : QWidget(parent) {
 void CoverageMap::setCamera(const QString& camera, const CameraSightings& seen, double shape) {
   seen_ = seen;
   aspectRatio_ = shape;
-  const auto& regions = seen.coverage.cornerCounts;
+  const auto& regions = seen.imageCoverage.cornerCounts;
   const auto covered = std::ranges::count_if(regions, [](int count) { return count > 0; });
   const QString text = tr("%1: %2 detections, in %3 of %4 regions of the image")
                            .arg(camera)
-                           .arg(static_cast<qulonglong>(seen.count))
+                           .arg(static_cast<qulonglong>(seen.detectionCount))
                            .arg(covered)
                            .arg(static_cast<qulonglong>(regions.size()));
   setToolTip(text);
@@ -31,7 +31,7 @@ void CoverageMap::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const double width = std::min<double>(this->width() - 1, aspectRatio_ * (height() - 1));
   const QRectF image(0.5 * (this->width() - 1 - width) + 0.5, 0.5, width, width / aspectRatio_);
-  const auto& regions = seen_.coverage.cornerCounts;
+  const auto& regions = seen_.imageCoverage.cornerCounts;
   const double most = std::max(1, *std::ranges::max_element(regions));
   const double cellWidth = image.width() / BoardCoverage::kColumns;
   const double cellHeight = image.height() / BoardCoverage::kRows;

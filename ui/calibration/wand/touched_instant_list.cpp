@@ -33,13 +33,12 @@ TouchedInstantList::TouchedInstantList(WandCalibrator& calibrator, QWidget* pare
   grid->addWidget(list_, 2, 0, 1, 2);
   connect(&calibrator_, &WandCalibrator::changed, this, &TouchedInstantList::refresh);
   connect(take_, &QPushButton::clicked, this,
-          [this] { calibrator_.addTouchedInstant(static_cast<WandEvent>(role_->currentIndex())); });
+          [this] { calibrator_.markInstant(static_cast<WandEvent>(role_->currentIndex())); });
   connect(remove_, &QPushButton::clicked, this, [this] {
-    calibrator_.removeTouchedInstant(static_cast<std::size_t>(list_->currentRow()));
+    calibrator_.removeMarkedInstant(static_cast<std::size_t>(list_->currentRow()));
   });
-  connect(list_, &QListWidget::itemActivated, this, [this] {
-    calibrator_.showTouchedInstant(static_cast<std::size_t>(list_->currentRow()));
-  });
+  connect(list_, &QListWidget::itemActivated, this,
+          [this] { calibrator_.showMarkedInstant(static_cast<std::size_t>(list_->currentRow())); });
   connect(list_, &QListWidget::currentRowChanged, this,
           [this](int row) { remove_->setEnabled(row >= 0 && !calibrator_.isRefining()); });
   onRetranslate(this, [this] { retranslateUi(); });
@@ -75,13 +74,13 @@ void TouchedInstantList::refresh() {
   {
     const QSignalBlocker quiet(list_);
     list_->clear();
-    for (const MarkedInstant& instant : calibrator_.touchedInstants()) {
+    for (const MarkedInstant& instant : calibrator_.markedInstants()) {
       list_->addItem(
-          tr("%1 – %2").arg(secondsText(instant.seconds, 3), wandEventText(instant.event)));
+          tr("%1 – %2").arg(secondsText(instant.recordingTime, 3), wandEventText(instant.event)));
     }
     list_->setCurrentRow(std::min(chosen, list_->count() - 1));
   }
-  take_->setEnabled(calibrator_.canAddTouchedInstant() && !calibrator_.isRefining());
+  take_->setEnabled(calibrator_.canMarkInstant() && !calibrator_.isRefining());
   remove_->setEnabled(list_->currentRow() >= 0 && !calibrator_.isRefining());
 }
 

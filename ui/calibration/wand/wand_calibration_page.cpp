@@ -38,7 +38,7 @@ WandCalibrationPage::WandCalibrationPage(WandCalibrator& calibrator, QWidget* pa
 
 void WandCalibrationPage::retranslateUi() {
   guide_->setText(
-      calibrator_.isLive()
+      calibrator_.usesLiveCameras()
           ? tr("Align the cameras by hand until they are roughly right. Then wave the ball, or a "
                "wand with two balls, through the whole volume, and press Refine cameras.")
           : tr("Align the cameras by hand until they are roughly right. Then refine "
@@ -47,8 +47,8 @@ void WandCalibrationPage::retranslateUi() {
   instantsTitle_->setText(tr("Floor"));
   wavingTitle_->setText(tr("Wand"));
   outcomeTitle_->setText(tr("Refine"));
-  wavingTitle_->setVisible(calibrator_.isLive());
-  waving_->setVisible(calibrator_.isLive());
+  wavingTitle_->setVisible(calibrator_.usesLiveCameras());
+  waving_->setVisible(calibrator_.usesLiveCameras());
 }
 
 } // namespace dewpoint::ui

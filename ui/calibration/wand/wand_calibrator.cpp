@@ -19,17 +19,18 @@ constexpr double kLookingPart = 0.8; ///< of the time that a refinement takes, r
 
 /// How far the whole is.
 double partOf(const WandCalibrationProgress& work) {
-  if (work.total <= 0) {
+  if (work.totalStepCount <= 0) {
     return -1.0;
   }
-  const double part = static_cast<double>(work.done) / static_cast<double>(work.total);
+  const double part =
+      static_cast<double>(work.doneStepCount) / static_cast<double>(work.totalStepCount);
   return work.isSearching ? kLookingPart * part : kLookingPart + (1.0 - kLookingPart) * part;
 }
 
 /// Everything that was collected, also what still waits to be looked at.
 std::vector<std::vector<MarkerObservation>> allViews(const WandCollector& collector,
                                                      const BackgroundJob::Progress& progress) {
-  while (collector.state().waitingFrameSets > 0 && progress(-1.0)) {
+  while (collector.state().waitingFrameSetCount > 0 && progress(-1.0)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   return collector.views();
@@ -44,9 +45,11 @@ WandCalibrator::WandCalibrator(Dependencies around, QObject* parent)
   connect(job_, &BackgroundJob::started, this, &WandCalibrator::changed);
   connect(job_, &BackgroundJob::progressChanged, this, &WandCalibrator::progressChanged);
   connect(job_, &BackgroundJob::ended, this, &WandCalibrator::changed);
-  connect(&dependencies_.document, &Document::replaced, this, &WandCalibrator::discardResults);
+  connect(&dependencies_.document, &Document::projectReplaced, this,
+          &WandCalibrator::discardResults);
   connect(&dependencies_.document, &Document::targetsChanged, this, &WandCalibrator::changed);
-  connect(&dependencies_.selection, &Selection::rangeChanged, this, &WandCalibrator::changed);
+  connect(&dependencies_.selection, &Selection::selectedRangeChanged, this,
+          &WandCalibrator::changed);
   connect(&dependencies_.document, &Document::calibrationChanged, this, [this] {
     if (refinement_ && applied_) {
       Q_EMIT changed();
@@ -55,7 +58,7 @@ WandCalibrator::WandCalibrator(Dependencies around, QObject* parent)
 }
 
 WandCalibrator::~WandCalibrator() {
-  stopWaving();
+  stopCollectingViews();
 }
 
 bool WandCalibrator::isStale() const {
@@ -75,25 +78,25 @@ void WandCalibrator::setSettings(const WandSettings& settings) {
   }
 }
 
-void WandCalibrator::addTouchedInstant(WandEvent role) {
-  if (!canAddTouchedInstant()) {
+void WandCalibrator::markInstant(WandEvent role) {
+  if (!canMarkInstant()) {
     return;
   }
   const MarkedInstant taken{shownFrame_, shownSeconds_, role};
-  addInstant(touchedInstants_, taken);
+  addInstant(markedInstants_, taken);
   Q_EMIT changed();
 }
 
-void WandCalibrator::removeTouchedInstant(std::size_t index) {
-  if (index < touchedInstants_.size()) {
-    touchedInstants_.erase(touchedInstants_.begin() + static_cast<std::ptrdiff_t>(index));
+void WandCalibrator::removeMarkedInstant(std::size_t index) {
+  if (index < markedInstants_.size()) {
+    markedInstants_.erase(markedInstants_.begin() + static_cast<std::ptrdiff_t>(index));
     Q_EMIT changed();
   }
 }
 
-void WandCalibrator::showTouchedInstant(std::size_t index) {
-  if (index < touchedInstants_.size()) {
-    dependencies_.selection.requestFrame(touchedInstants_[index].frame);
+void WandCalibrator::showMarkedInstant(std::size_t index) {
+  if (index < markedInstants_.size()) {
+    dependencies_.selection.requestFrame(markedInstants_[index].frame);
   }
 }
 
@@ -104,7 +107,7 @@ void WandCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
   if (waving_ != nullptr && (dependencies_.session() != waving_ || collector_.use_count() == 1)) {
     detachFromSession();
   }
-  const bool news = live != live_ || shown != canAddTouchedInstant();
+  const bool news = live != live_ || shown != canMarkInstant();
   live_ = live;
   shownFrame_ = shown ? snapshot->frames->index : -1;
   shownSeconds_ = shown ? seconds(snapshot->frames->time) : 0.0;
@@ -113,9 +116,9 @@ void WandCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
   }
 }
 
-void WandCalibrator::startWaving() {
+void WandCalibrator::startCollectingViews() {
   Session* session = dependencies_.session();
-  const auto colors = wandColors(project(), toWandOptions(settings_, touchedInstants_, project()));
+  const auto colors = wandColorClassifiers(project(), toWandOptions(settings_, markedInstants_, project()));
   if (session == nullptr) {
     return;
   }
@@ -123,8 +126,8 @@ void WandCalibrator::startWaving() {
     Q_EMIT failed(errorText(colors.error()));
     return;
   }
-  stopWaving();
-  touchedInstants_.clear(); // they belong to what was collected before
+  stopCollectingViews();
+  markedInstants_.clear(); // they belong to what was collected before
   collector_.reset(new WandCollector(project().cameras.size(), *colors), DetachedDeleter());
   waving_ = session;
   session->setFrameTap(
@@ -135,7 +138,7 @@ void WandCalibrator::startWaving() {
   Q_EMIT changed();
 }
 
-void WandCalibrator::stopWaving() {
+void WandCalibrator::stopCollectingViews() {
   if (waving_ != nullptr && dependencies_.session() == waving_) {
     waving_->setFrameTap({});
   }
@@ -155,8 +158,8 @@ std::optional<WandCollector::State> WandCalibrator::collectorState() const {
   return collector_ ? std::optional(collector_->state()) : std::nullopt;
 }
 
-QString WandCalibrator::obstacleText() const {
-  const QString missing = validationMessage(settings_, touchedInstants_, project());
+QString WandCalibrator::reasonNotToRefine() const {
+  const QString missing = validationMessage(settings_, markedInstants_, project());
   if (!missing.isEmpty()) {
     return missing;
   }
@@ -172,16 +175,16 @@ bool WandCalibrator::isRefining() const {
 }
 
 void WandCalibrator::refine() {
-  if (isRefining() || !obstacleText().isEmpty()) {
+  if (isRefining() || !reasonNotToRefine().isEmpty()) {
     return;
   }
-  stopWaving();
+  stopCollectingViews();
   const auto collector = live_ ? collector_ : nullptr;
   const auto selectedRange = live_ ? std::nullopt : dependencies_.selection.selectedRange();
   const auto selected = selectedRange
                             ? std::optional(FrameSpan{selectedRange->first, selectedRange->last})
                             : std::nullopt;
-  const WandOptions options = toWandOptions(settings_, touchedInstants_, project(), selected);
+  const WandOptions options = toWandOptions(settings_, markedInstants_, project(), selected);
   refinement_.reset();
   failure_.clear();
   applied_ = false;
@@ -215,7 +218,7 @@ void WandCalibrator::applyResult(Result<WandRefinement> outcome) {
       apply();
     }
   }
-  Q_EMIT refined();
+  Q_EMIT refinementEnded();
 }
 
 void WandCalibrator::apply() {
@@ -231,9 +234,9 @@ void WandCalibrator::apply() {
   Q_EMIT changed();
 }
 
-void WandCalibrator::setBeforeRefinementShown(bool flipped) {
-  dependencies_.manual.showEarlierCameras(flipped ? std::optional(EarlierCameras::WandRefinement)
-                                                  : std::nullopt);
+void WandCalibrator::setBeforeRefinementShown(bool shown) {
+  dependencies_.manual.showEarlierCameras(shown ? std::optional(EarlierCameras::WandRefinement)
+                                                : std::nullopt);
 }
 
 void WandCalibrator::saveReport(const QString& file) {
@@ -250,9 +253,9 @@ void WandCalibrator::saveReport(const QString& file) {
 
 void WandCalibrator::discardResults() {
   job_->cancel();
-  stopWaving();
+  stopCollectingViews();
   collector_.reset();
-  touchedInstants_.clear();
+  markedInstants_.clear();
   settings_ = {};
   refinement_.reset();
   failure_.clear();

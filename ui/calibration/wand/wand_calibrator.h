@@ -45,46 +45,46 @@ public:
 
   // Returns the frames that the user marked because the ball touched the floor, touched one end of
   // a known distance, or fell freely.
-  const std::vector<MarkedInstant>& touchedInstants() const { return touchedInstants_; }
+  const std::vector<MarkedInstant>& markedInstants() const { return markedInstants_; }
   /// Marks the frame shown as a frame in which the event `role` happens. The ball can touch the
   /// floor in several frames. Each other event, such as the beginning of a fall, happens once, so
   /// the frame replaces the one that was marked before.
-  void addTouchedInstant(WandEvent role);
-  void removeTouchedInstant(std::size_t index);
+  void markInstant(WandEvent role);
+  void removeMarkedInstant(std::size_t index);
   /// Shows the images of one of the frames that the user has marked. `index` is the index in
-  /// touchedInstants().
-  void showTouchedInstant(std::size_t index);
+  /// markedInstants().
+  void showMarkedInstant(std::size_t index);
   /// Returns whether a frame is shown, so that it can be marked.
-  bool canAddTouchedInstant() const { return shownFrame_ >= 0; }
+  bool canMarkInstant() const { return shownFrame_ >= 0; }
   /// Returns whether a range of frames is selected in the timeline.
   bool hasSelectedRange() const { return dependencies_.selection.selectedRange().has_value(); }
 
   // Live cameras.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  bool isLive() const { return live_; }
-  bool isWaving() const { return waving_ != nullptr; }
+  bool usesLiveCameras() const { return live_; }
+  bool isCollectingViews() const { return waving_ != nullptr; }
   /// Starts to collect views of the wand from live cameras, from scratch.
-  void startWaving();
-  void stopWaving();
+  void startCollectingViews();
+  void stopCollectingViews();
   /// Returns the views collected so far, or nothing if there are none.
   std::optional<WandCollector::State> collectorState() const;
 
   // Refinement.
   /// Returns the reason why the refinement cannot start, or an empty string if it can.
-  QString obstacleText() const;
+  QString reasonNotToRefine() const;
   void refine();
   void cancel();
   bool isRefining() const;
   /// Returns the result of the last refinement; null before the first one and after a failure.
   std::shared_ptr<const WandRefinement> refinement() const { return refinement_; }
   /// Returns one sentence that explains why the last refinement produced no calibration.
-  const QString& failure() const { return failure_; }
+  const QString& failureText() const { return failure_; }
   /// Returns whether the cameras from the last refinement have been applied to the project.
   bool isApplied() const { return applied_; }
   /// Returns whether the project's cameras have changed since the refinement was applied.
   bool isStale() const;
   void apply();
-  void setBeforeRefinementShown(bool flipped);
+  void setBeforeRefinementShown(bool shown);
   /// Writes the HTML report in another thread; emits `saved()` or `failed()` afterwards.
   void saveReport(const QString& file);
 
@@ -92,9 +92,9 @@ Q_SIGNALS:
   void changed();
   void collectorStateChanged();
   /// Emitted with the progress from 0 to 1; negative if unknown.
-  void progressChanged(double part);
+  void progressChanged(double fraction);
   /// Emitted when a refinement has ended, with or without a result.
-  void refined();
+  void refinementEnded();
   void saved(const QString& file);
   void failed(const QString& sentence);
 
@@ -105,7 +105,7 @@ private:
 
   Dependencies dependencies_;
   WandSettings settings_;
-  std::vector<MarkedInstant> touchedInstants_;
+  std::vector<MarkedInstant> markedInstants_;
   bool live_ = false;
   qint64 shownFrame_ = -1;
   double shownSeconds_ = 0.0; ///< time of the frame shown, seconds on the calibration clock

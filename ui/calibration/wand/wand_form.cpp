@@ -120,7 +120,7 @@ void WandForm::connectFields() {
     });
   });
   connect(distance_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([=](WandSettings& settings) { settings.distance = fromCentimeters(value); });
+    edit([=](WandSettings& settings) { settings.touchedDistance = fromCentimeters(value); });
   });
   connect(initialPositionError_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     edit([=](WandSettings& settings) { settings.initialPositionError = fromCentimeters(value); });
@@ -133,9 +133,9 @@ void WandForm::connectFields() {
       edit([=](WandSettings& settings) { settings.*field = checked; });
     });
   };
-  check(offsets_, &WandSettings::estimateTimeOffsets);
-  check(focal_, &WandSettings::estimateFocalLengths);
-  check(distortion_, &WandSettings::estimateDistortion);
+  check(offsets_, &WandSettings::estimatesTimeOffsets);
+  check(focal_, &WandSettings::estimatesFocalLengths);
+  check(distortion_, &WandSettings::estimatesDistortion);
   check(onlyRange_, &WandSettings::usesOnlySelectedFrames);
 }
 
@@ -175,12 +175,12 @@ void WandForm::refresh() {
   showChoice(*kind_, settings.usesStick ? 1 : 0);
   showChoice(*size_, static_cast<int>(settings.scaleSource));
   showValue(*length_, inCentimeters(settings.stickLength));
-  showValue(*distance_, inCentimeters(settings.distance));
+  showValue(*distance_, inCentimeters(settings.touchedDistance));
   showValue(*initialPositionError_, inCentimeters(settings.initialPositionError));
   showValue(*initialRotationError_, inDegrees(settings.initialRotationError));
-  offsets_->setChecked(settings.estimateTimeOffsets);
-  focal_->setChecked(settings.estimateFocalLengths);
-  distortion_->setChecked(settings.estimateDistortion);
+  offsets_->setChecked(settings.estimatesTimeOffsets);
+  focal_->setChecked(settings.estimatesFocalLengths);
+  distortion_->setChecked(settings.estimatesDistortion);
   onlyRange_->setChecked(settings.usesOnlySelectedFrames && calibrator_.hasSelectedRange());
   onlyRange_->setEnabled(calibrator_.hasSelectedRange());
   for (QWidget* field :
@@ -192,7 +192,7 @@ void WandForm::refresh() {
   const bool distance = !settings.usesStick && settings.scaleSource == WandScaleSource::Distance;
   distanceLabel_->setVisible(distance);
   distance_->setVisible(distance);
-  onlyRange_->setVisible(!calibrator_.isLive());
+  onlyRange_->setVisible(!calibrator_.usesLiveCameras());
   setEnabled(!calibrator_.isRefining());
 }
 

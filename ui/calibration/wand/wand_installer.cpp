@@ -11,8 +11,8 @@
 namespace dewpoint::ui {
 
 void installWandCalibration(const Workbench& bench, CalibrationMode& mode) {
-  auto* wand = new WandCalibrator({bench.document, mode.manual(), bench.selection, bench.targets,
-                                   bench.session.opener(),
+  auto* wand = new WandCalibrator({bench.document, mode.manualCalibration(), bench.selection,
+                                   bench.targets, bench.session.opener(),
                                    [run = &bench.session] { return run->session(); }},
                                   &mode);
   mode.addPage(new WandCalibrationPage(*wand), [] { return WandCalibrationPage::tr("Wand"); });

@@ -94,7 +94,7 @@ void WandOutcome::createWidgets() {
 void WandOutcome::connectParts() {
   connect(&calibrator_, &WandCalibrator::changed, this, &WandOutcome::refresh);
   connect(&calibrator_, &WandCalibrator::collectorStateChanged, this,
-          [this] { missing_->setText(calibrator_.obstacleText()); });
+          [this] { missing_->setText(calibrator_.reasonNotToRefine()); });
   connect(&calibrator_, &WandCalibrator::progressChanged, this, &WandOutcome::showProgress);
   connect(refine_, &QPushButton::clicked, &calibrator_, &WandCalibrator::refine);
   connect(cancel_, &QPushButton::clicked, &calibrator_, &WandCalibrator::cancel);
@@ -147,7 +147,7 @@ void WandOutcome::showProgress(double part) {
 
 void WandOutcome::refresh() {
   const bool running = calibrator_.isRefining();
-  const QString missing = calibrator_.obstacleText();
+  const QString missing = calibrator_.reasonNotToRefine();
   missing_->setText(missing);
   missing_->setVisible(!missing.isEmpty() && !running);
   refine_->setEnabled(!running && missing.isEmpty());
@@ -164,8 +164,8 @@ void WandOutcome::showOutcome() {
   const bool over = !calibrator_.isRefining();
   QStringList notes;
   QString accuracy;
-  if (!calibrator_.failure().isEmpty()) {
-    accuracy = QStringLiteral("⚠ ") + calibrator_.failure();
+  if (!calibrator_.failureText().isEmpty()) {
+    accuracy = QStringLiteral("⚠ ") + calibrator_.failureText();
     notes << tr("The cameras are unchanged.");
   }
   if (found) {
@@ -197,8 +197,8 @@ void WandOutcome::showOutcome() {
                    tr("The previous calibration fits the images as well as the new one. Keep the "
                       "previous one, or wave longer and through more of the volume.");
     }
-    if (isKnownBetter(*found) && !isUnnecessary(*found)) {
-      notes << QStringLiteral("⚠ ") + knownBetterMessage(*found);
+    if (areOldCamerasMoreAccurate(*found) && !isUnnecessary(*found)) {
+      notes << QStringLiteral("⚠ ") + lessAccurateResultMessage(*found);
     }
     for (const MotionGap& gap : found->gaps) {
       notes << QStringLiteral("⚠ ") + motionGapMessage(gap, cameraNames(found->camerasBefore));
@@ -206,17 +206,17 @@ void WandOutcome::showOutcome() {
     if (!calibrator_.isApplied()) {
       notes << tr("The cameras are unchanged.");
     }
-    if (found->accuracy && found->accuracy->modelFactor > 1.0) {
+    if (found->accuracy && found->accuracy->errorInflationFactor > 1.0) {
       notes << tr("Calibrations from different parts of the recording differ from each other %1 "
                   "times as much as image noise can explain. The stated accuracy takes this into "
                   "account.")
-                   .arg(numberText(found->accuracy->modelFactor, 1));
+                   .arg(numberText(found->accuracy->errorInflationFactor, 1));
     }
     if (found->result.freeFall) {
       notes << tr("The fall gives a gravity of %1 m/s² (9.81 is expected).")
                    .arg(numberText(found->result.freeFall->gravity, 2));
     }
-    if (found->options.estimateTimeOffsets && calibrator_.isApplied()) {
+    if (found->options.estimatesTimeOffsets && calibrator_.isApplied()) {
       notes << tr(
           "Camera delays are saved in the project and used to synchronize images from now on.");
     }
@@ -239,7 +239,7 @@ void WandOutcome::fillTable() {
   const WandRefinement& found = *calibrator_.refinement();
   const WandResult& result = found.result;
   table_->setRowCount(static_cast<int>(result.cameras.size()));
-  table_->setColumnHidden(Offset, !found.options.estimateTimeOffsets);
+  table_->setColumnHidden(Offset, !found.options.estimatesTimeOffsets);
   const auto set = [this](std::size_t row, int column, const QString& text) {
     auto* item = new QTableWidgetItem(text);
     item->setTextAlignment((column == Name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
@@ -248,7 +248,7 @@ void WandOutcome::fillTable() {
   for (std::size_t k = 0; k < result.cameras.size(); ++k) {
     const PoseShift shift = poseShift(found.camerasBefore[k], result.cameras[k]);
     set(k, Name, cameraName(found.camerasBefore, k));
-    set(k, Pixels, numberText(result.bundle.cameraRms[k], 2));
+    set(k, Pixels, numberText(result.bundle.cameraRmsPx[k], 2));
     set(k, Moved, lengthNumber(shift.meters, LengthScale::Centimeters, 1));
     set(k, Turned, angleNumber(shift.radians, 2));
     // True time is the camera's plus the offset: a late image has a negative one.

@@ -79,11 +79,13 @@ QString motionGapMessage(const MotionGap& gap, const QStringList& cameraNames) {
     return k < gap.cameras.size() ? cameraNames.value(static_cast<qsizetype>(gap.cameras[k]))
                                   : QString();
   };
-  const auto centimeters = [&] { return lengthText(gap.value, LengthScale::Centimeters, 0); };
-  switch (gap.missing) {
+  const auto centimeters = [&] {
+    return lengthText(gap.motionAmount, LengthScale::Centimeters, 0);
+  };
+  switch (gap.missingMotion) {
   case MissingMotion::Duration:
     return WandText::tr("The ball was seen for only %1. Wave for half a minute.")
-        .arg(secondsText(gap.value, 0));
+        .arg(secondsText(gap.motionAmount, 0));
   case MissingMotion::OffTheLine:
     return WandText::tr("The ball moved only along one line. Move it in all directions: to the "
                         "sides, up and down, near and far.");
@@ -98,20 +100,20 @@ QString motionGapMessage(const MotionGap& gap, const QStringList& cameraNames) {
   case MissingMotion::WholeVolume:
     return WandText::tr("The ball stayed in %1 of the volume that the cameras see together. Move "
                         "it through the whole volume in which you will track.")
-        .arg(shareText(gap.value));
+        .arg(percentText(gap.motionAmount));
   case MissingMotion::WholeImage:
     return WandText::tr("%1 saw the ball in only %2 of its image.")
-               .arg(name(0), shareText(gap.value)) +
+               .arg(name(0), percentText(gap.motionAmount)) +
            QLatin1Char(' ') + moveItThereText(name(0), gap.side);
   default:
     return WandText::tr("%1 and %2 saw the ball at the same time in only %n frame(s). Move the "
                         "ball where both cameras see it.",
-                        nullptr, static_cast<int>(std::lround(gap.value)))
+                        nullptr, static_cast<int>(std::lround(gap.motionAmount)))
         .arg(name(0), name(1));
   }
 }
 
-QString knownBetterMessage(const WandRefinement& refinement) {
+QString lessAccurateResultMessage(const WandRefinement& refinement) {
   if (!refinement.beforeError) {
     return WandText::tr("The cameras were calibrated before, and the motion in this recording is "
                         "not enough to improve that calibration. Keep the previous calibration.");

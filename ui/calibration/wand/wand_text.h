@@ -24,7 +24,7 @@ QString validationMessage(const WandSettings& settings, const std::vector<Marked
 QString motionGapMessage(const MotionGap& gap, const QStringList& cameraNames);
 
 /// Returns a translated sentence that says that the cameras before a refinement are known more
-/// accurately than its result (knownBetterText()).
-QString knownBetterMessage(const WandRefinement& refinement);
+/// accurately than its result (oldCamerasMoreAccurateText()).
+QString lessAccurateResultMessage(const WandRefinement& refinement);
 
 } // namespace dewpoint::ui

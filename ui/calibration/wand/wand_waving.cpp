@@ -38,7 +38,8 @@ WandWaving::WandWaving(WandCalibrator& calibrator, QWidget* parent)
   column->addWidget(state_);
   column->addLayout(grid_);
   connect(wave_, &QPushButton::clicked, this, [this] {
-    calibrator_.isWaving() ? calibrator_.stopWaving() : calibrator_.startWaving();
+    calibrator_.isCollectingViews() ? calibrator_.stopCollectingViews()
+                                    : calibrator_.startCollectingViews();
   });
   connect(&calibrator_, &WandCalibrator::changed, this, &WandWaving::refresh);
   connect(&calibrator_, &WandCalibrator::collectorStateChanged, this, &WandWaving::showCameras);
@@ -52,7 +53,7 @@ void WandWaving::retranslateUi() {
 }
 
 void WandWaving::refresh() {
-  const bool waving = calibrator_.isWaving();
+  const bool waving = calibrator_.isCollectingViews();
   wave_->setText(waving ? tr("■ Stop waving") : tr("● Start waving"));
   wave_->setAccessibleName(waving ? tr("Stop waving") : tr("Start waving"));
   wave_->setEnabled(!calibrator_.isRefining());
@@ -99,19 +100,18 @@ void WandWaving::showCameras() {
     cameras_[k].text->setText(
         QStringLiteral("%1 %2 %3")
             .arg(good ? QStringLiteral("✓") : QStringLiteral("…"), cameraName(rig, k))
-            .arg(static_cast<qulonglong>(seen.count)));
+            .arg(static_cast<qulonglong>(seen.detectionCount)));
   }
   QString text = tr("The positions of the ball have been recorded for %1 so far.")
-                     .arg(secondsText(collected->seconds, 1));
+                     .arg(secondsText(collected->durationSeconds, 1));
   text += QLatin1Char(' ') +
           (enough ? tr("Every camera has seen the ball often enough: stop waving, or press Refine "
                        "cameras.")
                   : tr("Keep waving: each camera should see the ball at least 150 times, spread "
                        "over at least half of its image."));
-  if (collected->droppedFrameSets > 0) {
-    text +=
-        QLatin1Char(' ') +
-        tr("Frames skipped because they arrived too fast: %1.").arg(collected->droppedFrameSets);
+  if (collected->droppedFrameSetCount > 0) {
+    text += QLatin1Char(' ') + tr("Frames skipped because they arrived too fast: %1.")
+                                   .arg(collected->droppedFrameSetCount);
   }
   state_->setText(text);
 }

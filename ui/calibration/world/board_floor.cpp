@@ -13,7 +13,7 @@ namespace dewpoint::ui {
 namespace {
 
 BoardDescription board() {
-  return parseBoard(Preferences().boardPreferences({}).board.toStdString())
+  return parseBoard(Preferences().boardPreferences({}).boardText.toStdString())
       .value_or(BoardDescription());
 }
 
@@ -22,7 +22,7 @@ BoardDescription board() {
 BoardFloor::BoardFloor(Document& document, QObject* parent)
     : QObject(parent), document_(document), job_(new BackgroundJob(this)) {
   connect(job_, &BackgroundJob::ended, this, &BoardFloor::changed);
-  connect(&document_, &Document::replaced, this, [this] {
+  connect(&document_, &Document::projectReplaced, this, [this] {
     job_->cancel();
     resultText_.clear();
     Q_EMIT changed();
@@ -41,8 +41,8 @@ void BoardFloor::setSnapshot(const TrackSnapshotPtr& snapshot) {
   }
 }
 
-void BoardFloor::apply() {
-  if (!canApply()) {
+void BoardFloor::setFloorFromBoard() {
+  if (!canSetFloor()) {
     return;
   }
   job_->start([this, project = document_.project(), description = board(),

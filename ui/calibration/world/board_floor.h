@@ -24,10 +24,10 @@ public:
   /// Sets the snapshot whose images are searched for the board.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Returns whether images are shown and no search is running.
-  bool canApply() const { return frames_ != nullptr && !job_->isRunning(); }
+  bool canSetFloor() const { return frames_ != nullptr && !job_->isRunning(); }
   bool isRunning() const { return job_->isRunning(); }
   /// Searches the images shown for the board, and sets the floor if it is found.
-  void apply();
+  void setFloorFromBoard();
   /// Returns a sentence about the last search, or an empty string.
   const QString& resultText() const { return resultText_; }
   /// Returns the description of the board, in the form used on the command line.

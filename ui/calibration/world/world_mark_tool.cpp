@@ -45,7 +45,7 @@ void WorldMarkTool::attach(int camera, CameraView* view) {
   layers_.push_back(layer);
   const auto name = [this, overlay, camera] {
     overlay->setHint(tr("Click point %1 in two images · Esc: stop")
-                         .arg(WorldMarks::letter(marks_.selectedMark())));
+                         .arg(WorldMarks::letterOf(marks_.selectedMark())));
     overlay->setAccessibleName(
         tr("Image of %1: arrow keys move a cross, Enter marks the point there")
             .arg(bench_.cameras.nameOf(camera)));
@@ -56,7 +56,7 @@ void WorldMarkTool::attach(int camera, CameraView* view) {
   connect(overlay, &QObject::destroyed, this, [this, overlay] {
     std::erase_if(layers_, [overlay](const Layer& one) { return one.overlay == overlay; });
   });
-  connect(overlay, &ImagePickOverlay::cancelled, &marks_,
+  connect(overlay, &ImagePickOverlay::canceled, &marks_,
           [this] { marks_.setClicksPlacePoint(false); });
   connect(overlay, &ImagePickOverlay::picked, &marks_,
           [this, camera](const QRectF& region, Qt::KeyboardModifiers modifiers) {
@@ -93,10 +93,10 @@ void WorldMarkTool::showMarks(const Layer& layer) const {
   }
   const double half = kMarkShare * cameraOf(*snapshot_, layer.camera)->intrinsics.width;
   std::vector<ImagePickOverlay::Region> regions;
-  for (int mark = 0; mark < WorldMarks::kCount; ++mark) {
+  for (int mark = 0; mark < WorldMarks::kMarkCount; ++mark) {
     for (const PointClick& click : marks_.clicks(mark)) {
       if (click.camera == layer.camera) {
-        regions.push_back({diamondAt(click.pixel, half), WorldMarks::letter(mark)});
+        regions.push_back({diamondAt(click.pixel, half), WorldMarks::letterOf(mark)});
       }
     }
   }
@@ -110,7 +110,7 @@ void WorldMarkTool::showMarks(const Layer& layer) const {
       }
     }
   }
-  const auto position = marks_.position(marks_.selectedMark());
+  const auto position = marks_.positionOf(marks_.selectedMark());
   const auto seen = position ? pixelOf(*snapshot_, layer.camera, position->mean) : std::nullopt;
   layer.overlay->setGuides(std::move(rays),
                            seen ? std::optional(QPointF(seen->x(), seen->y())) : std::nullopt);

@@ -13,18 +13,18 @@
 namespace dewpoint::ui {
 
 WorldMarks::WorldMarks(Document& document, QObject* parent) : QObject(parent), document_(document) {
-  for (int mark = 0; mark < kCount; ++mark) {
-    marks_[static_cast<std::size_t>(mark)].name = letter(mark).toStdString();
+  for (int mark = 0; mark < kMarkCount; ++mark) {
+    marks_[static_cast<std::size_t>(mark)].name = letterOf(mark).toStdString();
   }
   connect(&document_, &Document::changed, this, [this](const ProjectChanges& changes) {
-    if (changes.calibration || changes.sources) {
+    if (changes.calibrationChanged || changes.sourcesChanged) {
       if (!applying_) {
         resultText_.clear();
       }
       Q_EMIT this->changed();
     }
   });
-  connect(&document_, &Document::replaced, this, [this] {
+  connect(&document_, &Document::projectReplaced, this, [this] {
     resultText_.clear();
     clearClicks();
   });
@@ -34,22 +34,22 @@ const std::vector<PointClick>& WorldMarks::clicks(int mark) const {
   return marks_.at(static_cast<std::size_t>(mark)).clicks;
 }
 
-QString WorldMarks::letter(int mark) {
+QString WorldMarks::letterOf(int mark) {
   return QString(QLatin1Char(static_cast<char>('A' + mark)));
 }
 
-Result<Gaussian3> WorldMarks::position(int mark) const {
-  return pointInRoom(rigOf(document_.project()), marks_.at(static_cast<std::size_t>(mark)));
+Result<Gaussian3> WorldMarks::positionOf(int mark) const {
+  return triangulatePoint(rigOf(document_.project()), marks_.at(static_cast<std::size_t>(mark)));
 }
 
 std::optional<double> WorldMarks::distanceAB() const {
-  const auto a = position(0);
-  const auto b = position(1);
+  const auto a = positionOf(0);
+  const auto b = positionOf(1);
   return a && b ? std::optional((b->mean - a->mean).norm()) : std::nullopt;
 }
 
 void WorldMarks::selectMark(int mark) {
-  mark = std::clamp(mark, 0, kCount - 1);
+  mark = std::clamp(mark, 0, kMarkCount - 1);
   if (mark != chosen_) {
     chosen_ = mark;
     Q_EMIT changed();
@@ -95,7 +95,7 @@ std::vector<int> WorldMarks::marksUsedBy(WorldStep step) {
 
 bool WorldMarks::canApply(WorldStep step) const {
   return std::ranges::all_of(marksUsedBy(step),
-                             [this](int mark) { return position(mark).has_value(); });
+                             [this](int mark) { return positionOf(mark).has_value(); });
 }
 
 namespace {
@@ -179,12 +179,13 @@ void WorldMarks::apply(WorldStep step, double meters) {
 void WorldMarks::storeLengthCheck(double meters) {
   const auto result = withLengthCheck(document_.project(), marks_[0], marks_[1], meters);
   if (result) {
-    const LengthCheck found = result->calibrated.check.value();
+    const LengthCheck found = result->worldRecord.lengthCheck.value();
     resultText_ = tr("From A to B, the calibration gives %1; you measured %2. The calibration is "
                      "off by %3 %.")
-                      .arg(lengthText(found.found, LengthScale::Meters, 4),
-                           lengthText(found.measured, LengthScale::Meters, 4),
-                           percentAccuracyText(std::abs(found.found / found.measured - 1.0)));
+                      .arg(lengthText(found.calibratedLength, LengthScale::Meters, 4),
+                           lengthText(found.measuredLength, LengthScale::Meters, 4),
+                           percentAccuracyText(
+                               std::abs(found.calibratedLength / found.measuredLength - 1.0)));
     replaceProject(tr("Check a distance"), *result);
   } else {
     resultText_ = refusal(result.error());
@@ -201,11 +202,11 @@ void WorldMarks::rotateWorld(WorldAxis axis) {
 void WorldMarks::moveWorld(const Eigen::Vector3d& shift, double turn) {
   resultText_.clear();
   replaceProject(tr("Move all cameras"),
-                 withMovedWorld(document_.project(), calibration::movedBy(shift, turn)));
+                 withMovedWorld(document_.project(), calibration::rigidMotion(shift, turn)));
 }
 
-bool WorldMarks::canTurnUpright() const {
-  return setup::canTurnUpright(document_.project());
+bool WorldMarks::canRotateUpright() const {
+  return setup::canRotateUpright(document_.project());
 }
 
 } // namespace dewpoint::ui

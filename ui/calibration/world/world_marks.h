@@ -20,17 +20,17 @@ class Document;
 class WorldMarks : public QObject {
   Q_OBJECT
 public:
-  static constexpr int kCount = 3;
+  static constexpr int kMarkCount = 3;
 
   explicit WorldMarks(Document& document, QObject* parent = nullptr);
 
   /// Returns the clicks with which the user placed a mark in camera images.
   const std::vector<PointClick>& clicks(int mark) const;
   /// Returns the letter of a mark: "A", "B" or "C".
-  static QString letter(int mark);
+  static QString letterOf(int mark);
   /// Returns the position of a mark (world frame, meters) computed from its clicks, or the reason
   /// why it is unknown.
-  Result<Gaussian3> position(int mark) const;
+  Result<Gaussian3> positionOf(int mark) const;
   /// Returns the distance between the marks A and B in meters, or nothing while the position of A
   /// or B is unknown.
   std::optional<double> distanceAB() const;
@@ -63,7 +63,7 @@ public:
   void moveWorld(const Eigen::Vector3d& shift, double turn);
   /// Returns whether the images are not upright, and quarter turns of the world frame would make
   /// them upright.
-  bool canTurnUpright() const;
+  bool canRotateUpright() const;
 
   /// Returns a sentence about the last change or the reason why it was impossible, or an empty
   /// string.
@@ -77,7 +77,7 @@ private:
   void replaceProject(const QString& step, const Project& project);
 
   Document& document_;
-  std::array<MeasuredPoint, kCount> marks_;
+  std::array<MeasuredPoint, kMarkCount> marks_;
   int chosen_ = 0;
   bool clicking_ = false;
   bool applying_ = false; ///< the next change of the document is a step of this page

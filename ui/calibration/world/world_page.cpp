@@ -50,7 +50,7 @@ void WorldPage::build() {
   uprightText_->setObjectName(QStringLiteral("worldUprightText"));
   uprightText_->setWordWrap(true);
   marksTitle_ = makePageTitle(this);
-  table_ = new QTableWidget(WorldMarks::kCount, ColumnCount, this);
+  table_ = new QTableWidget(WorldMarks::kMarkCount, ColumnCount, this);
   table_->setObjectName(QStringLiteral("worldMarks"));
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -160,7 +160,7 @@ void WorldPage::connectFields() {
   });
   connect(mark_, &QPushButton::clicked, &marks_, &WorldMarks::setClicksPlacePoint);
   connect(clear_, &QPushButton::clicked, &marks_, &WorldMarks::clearClicks);
-  connect(board_, &QPushButton::clicked, &boardFloor_, &BoardFloor::apply);
+  connect(board_, &QPushButton::clicked, &boardFloor_, &BoardFloor::setFloorFromBoard);
   connect(&boardFloor_, &BoardFloor::changed, this, &WorldPage::refresh);
   connect(distance_, &QDoubleSpinBox::valueChanged, this, [this] { distanceEntered_ = true; });
   connect(check_, &QPushButton::clicked, this,
@@ -265,9 +265,9 @@ void WorldPage::retranslateUi() {
 }
 
 void WorldPage::fillRow(int mark) {
-  static const std::array<const char*, WorldMarks::kCount> kUses{
+  static const std::array<const char*, WorldMarks::kMarkCount> kUses{
       QT_TR_NOOP("A: origin"), QT_TR_NOOP("B: on the x axis"), QT_TR_NOOP("C: on the floor")};
-  const auto position = marks_.position(mark);
+  const auto position = marks_.positionOf(mark);
   const auto set = [&](int column, const QString& text) {
     QTableWidgetItem* item = table_->item(mark, column);
     if (item == nullptr) {
@@ -292,14 +292,14 @@ void WorldPage::fillRow(int mark) {
 
 void WorldPage::refresh() {
   filling_ = true;
-  for (int mark = 0; mark < WorldMarks::kCount; ++mark) {
+  for (int mark = 0; mark < WorldMarks::kMarkCount; ++mark) {
     fillRow(mark);
   }
   if (table_->currentRow() != marks_.selectedMark()) {
     table_->setCurrentCell(marks_.selectedMark(), Point);
   }
   int height = table_->horizontalHeader()->sizeHint().height() + 2 * table_->frameWidth();
-  for (int mark = 0; mark < WorldMarks::kCount; ++mark) {
+  for (int mark = 0; mark < WorldMarks::kMarkCount; ++mark) {
     height += table_->rowHeight(mark);
   }
   table_->setFixedHeight(height);
@@ -315,14 +315,14 @@ void WorldPage::refresh() {
   for (const auto& [step, button] : steps_) {
     button->setEnabled(marks_.canApply(step));
     if (step == WorldStep::Upright) {
-      button->setVisible(marks_.canTurnUpright());
+      button->setVisible(marks_.canRotateUpright());
     }
   }
   check_->setEnabled(marks_.canApply(WorldStep::Length));
-  board_->setEnabled(boardFloor_.canApply());
+  board_->setEnabled(boardFloor_.canSetFloor());
   boardText_->setText(boardFloor_.resultText());
   boardText_->setVisible(!boardFloor_.resultText().isEmpty());
-  uprightText_->setVisible(marks_.canTurnUpright());
+  uprightText_->setVisible(marks_.canRotateUpright());
   const auto distance = marks_.distanceAB();
   distanceEntered_ = distanceEntered_ && distance;
   if (distance && !distanceEntered_) {

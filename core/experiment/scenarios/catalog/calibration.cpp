@@ -23,9 +23,9 @@ bool withCalibration(ScenarioDraft& draft, bool error, bool drift) {
   }
   std::vector<simulation::CameraDrift> drifts;
   for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
-    const double angle = draft.draws.uniform(kDrift.low, kDrift.high);
-    const Eigen::Vector3d axis = draft.draws.direction();
-    drifts.push_back({angle * axis, draft.draws.uniform(kSettle.low, kSettle.high)});
+    const double angle = draft.draws.drawUniform(kDrift.low, kDrift.high);
+    const Eigen::Vector3d axis = draft.draws.drawDirection();
+    drifts.push_back({angle * axis, draft.draws.drawUniform(kSettle.low, kSettle.high)});
   }
   draft.isCalibrationExactWhenIdeal = false;
   const bool ideal = draft.grade == Grade::Ideal;

@@ -34,13 +34,13 @@ bool withDropouts(ScenarioDraft& draft) {
   }
   std::vector<int> order;
   for (int camera = 0; camera < count; ++camera) {
-    const auto found = order.begin() + draft.draws.integer(0, camera);
+    const auto found = order.begin() + draft.draws.drawInteger(0, camera);
     order.insert(found, camera);
   }
   std::vector<Dropout> dropouts;
   for (const int camera : order) {
     const std::int64_t begin = kFirst + kApart * static_cast<std::int64_t>(dropouts.size());
-    const std::int64_t end = begin + 30 + draft.draws.integer(-5, 5);
+    const std::int64_t end = begin + 30 + draft.draws.drawInteger(-5, 5);
     dropouts.push_back({camera, begin, end});
     draft.events.push_back({ScenarioEvent::Kind::CameraLost, begin, camera});
     draft.events.push_back({ScenarioEvent::Kind::CameraBack, end, camera});
@@ -60,9 +60,9 @@ Camera moved(Camera camera, RandomDraws& draws) {
   // Chosen: a nudge with the elbow, 9 pixels at a focal length of 350 pixels.
   constexpr double kTurn = 1.5 * std::numbers::pi / 180.0; // radians
   constexpr double kShift = 0.01;                          // meters
-  const double angle = draws.uniform(0.0, kFullTurn);
+  const double angle = draws.drawUniform(0.0, kFullTurn);
   const Eigen::AngleAxisd turn(kTurn, Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0));
-  const Eigen::Vector3d center = camera.center() + kShift * draws.direction();
+  const Eigen::Vector3d center = camera.center() + kShift * draws.drawDirection();
   camera.cameraFromWorld.linear() = turn * camera.cameraFromWorld.linear();
   camera.cameraFromWorld.translation() = -(camera.cameraFromWorld.linear() * center);
   return camera;
@@ -85,8 +85,8 @@ bool withMovedCamera(ScenarioDraft& draft) {
   if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
-  const std::int64_t frame = 75 + draft.draws.integer(-15, 15);
-  const int which = draft.draws.integer(0, static_cast<int>(draft.rig.size()) - 1);
+  const std::int64_t frame = 75 + draft.draws.drawInteger(-15, 15);
+  const int which = draft.draws.drawInteger(0, static_cast<int>(draft.rig.size()) - 1);
   const auto camera = static_cast<std::size_t>(which);
   for (int i = 0; i < kMostPoses; ++i) {
     // Not from the cache: no other run has this view.

@@ -68,15 +68,15 @@ bool addDistractor(ScenarioDraft& draft, bool moving) {
   for (int i = 0; i < kMaxDrawAttempts; ++i) {
     LissajousPath distractor;
     distractor.center =
-        draws.pointInBox({0.25, 0.3, moving ? 0.1 : kBallRadius}, {0.85, 0.85, 0.3});
-    if (!moving && draws.coinFlip()) {
+        draws.drawPointInBox({0.25, 0.3, moving ? 0.1 : kBallRadius}, {0.85, 0.85, 0.3});
+    if (!moving && draws.flipCoin()) {
       distractor.center.z() = kBallRadius; // on the desk
     }
     if (moving) {
-      distractor.extent = draws.uniform(0.6, 1.1) * Eigen::Vector3d{0.09, 0.07, 0.05};
+      distractor.extent = draws.drawUniform(0.6, 1.1) * Eigen::Vector3d{0.09, 0.07, 0.05};
       distractor.phase =
-          draws.pointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
-      distractor.period = draws.uniform(4.0, 9.0);
+          draws.drawPointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
+      distractor.periodSeconds = draws.drawUniform(4.0, 9.0);
     }
     if (isPossible(draft, distractor)) {
       simulation::StageBody& body = draft.stage.bodies.emplace_back();
@@ -114,11 +114,11 @@ bool ofUnknownSize(ScenarioDraft& draft, int distractors) {
   if (distractors > 0 ? !amongDistractors(draft, distractors, false) : !cleanDesk(draft, false)) {
     return false;
   }
-  const double radius = draft.draws.uniform(kSmallest, kLargest);
+  const double radius = draft.draws.drawUniform(kSmallest, kLargest);
   for (simulation::StageBody& body : draft.stage.bodies) {
     body.radius = radius;
   }
-  draft.radiusKnown = false;
+  draft.isRadiusKnown = false;
   return true;
 }
 

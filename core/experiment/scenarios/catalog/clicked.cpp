@@ -33,9 +33,9 @@ struct Click {
 /// Anywhere on the disc but its rim.
 Click drawClick(RandomDraws& draws, std::size_t cameras) {
   Click click;
-  click.camera = static_cast<std::size_t>(draws.integer(0, static_cast<int>(cameras) - 1));
-  const double radius = kClickedWithin * std::sqrt(draws.uniform(0.0, 1.0));
-  const double angle = draws.uniform(0.0, kFullTurn);
+  click.camera = static_cast<std::size_t>(draws.drawInteger(0, static_cast<int>(cameras) - 1));
+  const double radius = kClickedWithin * std::sqrt(draws.drawUniform(0.0, 1.0));
+  const double angle = draws.drawUniform(0.0, kFullTurn);
   click.aside = radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
   return click;
 }

@@ -19,7 +19,8 @@ namespace {
 /// Mixes what each camera has, so that no rate or offset goes with a place.
 void shuffle(std::vector<CameraClock>& clocks, RandomDraws& draws) {
   for (std::size_t i = clocks.size() - 1; i > 0; --i) {
-    std::swap(clocks[i], clocks[static_cast<std::size_t>(draws.integer(0, static_cast<int>(i)))]);
+    std::swap(clocks[i],
+              clocks[static_cast<std::size_t>(draws.drawInteger(0, static_cast<int>(i)))]);
   }
 }
 
@@ -32,7 +33,7 @@ bool withOffsets(ScenarioDraft& draft) {
   const double rate = draft.framesPerSecond;
   draft.clocks = {{rate, 0.0}, {rate, -kMost / rate}};
   while (draft.clocks.size() < draft.rig.size()) {
-    draft.clocks.push_back({rate, -draft.draws.uniform(0.0, kMost) / rate});
+    draft.clocks.push_back({rate, -draft.draws.drawUniform(0.0, kMost) / rate});
   }
   shuffle(draft.clocks, draft.draws);
   return true;
@@ -59,12 +60,12 @@ bool withUnknownClocks(ScenarioDraft& draft) {
   }
   std::vector<double> delays;
   for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
-    delays.push_back(draft.draws.uniform(-kMost, kMost));
+    delays.push_back(draft.draws.drawUniform(-kMost, kMost));
   }
   draft.isCalibrationExactWhenIdeal = false;
   draft.adjustFaults = [delays](SensingFaults& faults) {
     for (std::size_t camera = 0; camera < delays.size(); ++camera) {
-      faults.cameras[camera].timing.delay = delays[camera];
+      faults.cameras[camera].timing.delaySeconds = delays[camera];
     }
   };
   return true;
@@ -87,7 +88,7 @@ bool withRamp(ScenarioDraft& draft) {
   if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
-  const double begin = draft.draws.uniform(0.7, 1.3);
+  const double begin = draft.draws.drawUniform(0.7, 1.3);
   draft.stage.light = [begin](std::size_t, double time) {
     simulation::Light light;
     light.gain.setConstant(rampGain(time - begin));
@@ -103,11 +104,11 @@ bool withTemperature(ScenarioDraft& draft) {
     return false;
   }
   const double turn = kFullTurn;
-  const double phase = draft.draws.uniform(0.0, turn);
+  const double phase = draft.draws.drawUniform(0.0, turn);
   draft.stage.light = [turn, phase](std::size_t, double time) {
     simulation::Light light;
-    light.gain = simulation::temperatureGain(simulation::kBalancedKelvin +
-                                             kSwing * std::sin(turn * time / kSwingPeriod + phase));
+    light.gain = simulation::colorTemperatureGain(
+        simulation::kBalancedKelvin + kSwing * std::sin(turn * time / kSwingPeriod + phase));
     return light;
   };
   return true;

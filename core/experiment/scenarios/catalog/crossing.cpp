@@ -35,10 +35,11 @@ bool addBall(ScenarioDraft& draft) {
   RandomDraws& draws = draft.draws;
   for (int i = 0; i < kMaxDrawAttempts; ++i) {
     LissajousPath path;
-    path.center = draws.pointInBox({0.36, 0.36, 0.12}, {0.64, 0.64, 0.26});
-    path.extent = draws.pointInBox({0.08, 0.08, 0.02}, {0.2, 0.16, 0.08});
-    path.phase = draws.pointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
-    path.period = kPeriod;
+    path.center = draws.drawPointInBox({0.36, 0.36, 0.12}, {0.64, 0.64, 0.26});
+    path.extent = draws.drawPointInBox({0.08, 0.08, 0.02}, {0.2, 0.16, 0.08});
+    path.phase =
+        draws.drawPointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
+    path.periodSeconds = kPeriod;
     if (keepsClear(draft, path) && staysVisible(draft, path, kBallRadius)) {
       addTarget(draft, path, kBallRadius);
       return true;

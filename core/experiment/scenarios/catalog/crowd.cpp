@@ -57,7 +57,7 @@ std::optional<Region> crowdRegion(const ScenarioDraft& draft) {
 }
 
 Eigen::Vector3d drawPosition(const Region& region, RandomDraws& draws) {
-  return draws.pointInBox(region.min(), region.max());
+  return draws.drawPointInBox(region.min(), region.max());
 }
 
 bool isApart(const ScenarioDraft& draft, const CrowdStart& crowd, const Eigen::Vector3d& position) {
@@ -68,8 +68,8 @@ bool isApart(const ScenarioDraft& draft, const CrowdStart& crowd, const Eigen::V
 
 void addFlyer(CrowdStart& crowd, const Eigen::Vector3d& position, RandomDraws& draws) {
   crowd.positions.push_back(position);
-  const double speed = draws.uniform(kSlowestFlight, kFastestFlight);
-  crowd.velocities.push_back(speed * draws.direction());
+  const double speed = draws.drawUniform(kSlowestFlight, kFastestFlight);
+  crowd.velocities.push_back(speed * draws.drawDirection());
 }
 
 /// The first body is the target, the others are its like.
@@ -96,8 +96,8 @@ bool crowd(ScenarioDraft& draft, std::size_t distractors) {
   RandomDraws& draws = draft.draws;
   CrowdStart balls;
   addFlyer(balls, drawPosition(*region, draws), draws);
-  const Eigen::Vector3d off =
-      draws.pointInBox(Eigen::Vector3d::Constant(-kStartOff), Eigen::Vector3d::Constant(kStartOff));
+  const Eigen::Vector3d off = draws.drawPointInBox(Eigen::Vector3d::Constant(-kStartOff),
+                                                   Eigen::Vector3d::Constant(kStartOff));
   draft.startCenter = balls.positions.front() + off;
   draft.startHalfSize = Eigen::Vector3d::Constant(kStartHalf);
   const Eigen::Vector3d around = draft.startHalfSize + Eigen::Vector3d::Constant(kBallRadius);
@@ -141,7 +141,7 @@ bool evenStart(ScenarioDraft& draft) {
   const Eigen::Vector3d& other = balls.positions[1];
   draft.startCenter = 0.5 * (one + other);
   draft.startHalfSize = 0.5 * (one - other).cwiseAbs() + Eigen::Vector3d::Constant(kAround);
-  draft.equalCandidates = 2;
+  draft.equalCandidateCount = 2;
   return true;
 }
 

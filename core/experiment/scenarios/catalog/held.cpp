@@ -57,21 +57,21 @@ simulation::Grip drawGrip(RandomDraws& draws) {
   constexpr double kLowest = -0.3;
   simulation::Grip grip;
   do {
-    grip.palm = draws.direction();
+    grip.palm = draws.drawDirection();
   } while (grip.palm.z() < kLowest);
   grip.fingers =
-      Eigen::AngleAxisd(draws.uniform(0.0, kFullTurn), grip.palm) * grip.palm.unitOrthogonal();
+      Eigen::AngleAxisd(draws.drawUniform(0.0, kFullTurn), grip.palm) * grip.palm.unitOrthogonal();
   // Radians and meters, around the usual grip, see Grip.
-  grip.reachAngle = draws.uniform(1.4, 2.4);
-  grip.spreadAngle = draws.uniform(0.42, 0.52);
-  grip.fingerRadius = draws.uniform(0.008, 0.0095);
+  grip.reachAngle = draws.drawUniform(1.4, 2.4);
+  grip.spreadAngle = draws.drawUniform(0.42, 0.52);
+  grip.fingerRadius = draws.drawUniform(0.008, 0.0095);
   return grip;
 }
 
 Holding holdingOf(const ScenarioDraft& draft, const simulation::Grip& grip, bool later) {
   Holding holding{simulation::grippingHand(grip, kBallRadius, simulation::kSkinColor)};
   if (later) {
-    holding.from = kReachFrom * grip.forearm();
+    holding.from = kReachFrom * grip.forearmDirection();
     holding.begin = draft.timeOf(kReachFrame);
     holding.end = draft.timeOf(kGraspFrame);
   }
@@ -130,7 +130,7 @@ bool held(ScenarioDraft& draft, bool later) {
       addTarget(draft, *path);
       simulation::StageBody& ball = draft.stage.bodies.back();
       const MovingPart part = simulation::ballPart(ball.radius, ball.color.cast<float>());
-      ball.partsRadius = ball.radius;
+      ball.nominalRadius = ball.radius;
       ball.parts = [part, holding](double time) {
         std::vector<MovingPart> parts = holding.at(time);
         parts.push_back(part);

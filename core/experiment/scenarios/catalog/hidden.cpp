@@ -30,7 +30,7 @@ Plate drawPlate(ScenarioDraft& draft, std::size_t camera, const Eigen::Vector3d&
   Plate plate;
   plate.eye = draft.rig[camera].center();
   plate.sight = (target - plate.eye).normalized();
-  const Eigen::AngleAxisd turn(draft.draws.uniform(0.0, kFullTurn), plate.sight);
+  const Eigen::AngleAxisd turn(draft.draws.drawUniform(0.0, kFullTurn), plate.sight);
   plate.edge = turn * plate.sight.unitOrthogonal();
   plate.aside = plate.edge.cross(plate.sight);
   return plate;
@@ -66,11 +66,11 @@ bool hidesNothingElse(const ScenarioDraft& draft, std::size_t camera, double fro
 
 /// The plate rests, and the ball moves in the plane of the eye and the plate's edge.
 bool besideStillPlate(ScenarioDraft& draft) {
-  const auto camera = static_cast<std::size_t>(draft.draws.integer(0, 1));
-  const Eigen::Vector3d center = draft.draws.pointInBox(kPathLow, kPathHigh);
+  const auto camera = static_cast<std::size_t>(draft.draws.drawInteger(0, 1));
+  const Eigen::Vector3d center = draft.draws.drawPointInBox(kPathLow, kPathHigh);
   const Plate plate = drawPlate(draft, camera, center);
-  const double period = draft.draws.uniform(4.0, 7.0);
-  const double phase = draft.draws.uniform(0.0, kFullTurn);
+  const double period = draft.draws.drawUniform(4.0, 7.0);
+  const double phase = draft.draws.drawUniform(0.0, kFullTurn);
   const simulation::Path path = [=](double time) -> Eigen::Vector3d {
     const double angle = kFullTurn * time / period + phase;
     return center + 0.08 * std::sin(angle) * plate.sight +
@@ -90,14 +90,14 @@ bool withMovingPlate(ScenarioDraft& draft) {
   constexpr double kEnd = 1.3;
   constexpr double kFar = 0.15;    // meters that it comes from
   constexpr double kWander = 0.15; // of the radius, see above
-  const auto camera = static_cast<std::size_t>(draft.draws.integer(0, 1));
+  const auto camera = static_cast<std::size_t>(draft.draws.drawInteger(0, 1));
   const auto path = randomDeskPath(draft, false);
   if (!path) {
     return false;
   }
   addTarget(draft, *path);
   const Plate plate = drawPlate(draft, camera, path->center);
-  const double wander = draft.draws.uniform(1.0, 2.0);
+  const double wander = draft.draws.drawUniform(1.0, 2.0);
   addPlate(draft, plate, [=, path = *path](double time) -> Eigen::Vector3d {
     const double out = std::clamp((kEnd - time) / (kEnd - kBegin), 0.0, 1.0);
     const double edge = kWander * kBallRadius * kAlong * std::sin(kFullTurn * time / wander);
@@ -137,9 +137,9 @@ bool withBlackouts(ScenarioDraft& draft, bool all) {
   addTarget(draft, *path);
   startNearTruth(draft);
   std::vector<Blackout> blackouts;
-  const int blind = draft.draws.integer(0, static_cast<int>(draft.rig.size()) - 1);
+  const int blind = draft.draws.drawInteger(0, static_cast<int>(draft.rig.size()) - 1);
   for (const int about : {45, 110}) {
-    const std::int64_t begin = about + draft.draws.integer(-10, 10);
+    const std::int64_t begin = about + draft.draws.drawInteger(-10, 10);
     blackouts.push_back({begin, begin + kFrames, all ? -1 : blind});
     using Kind = ScenarioEvent::Kind;
     draft.events.push_back({Kind::BlackoutBegin, begin, blackouts.back().camera});
@@ -166,8 +166,8 @@ bool withAbsence(ScenarioDraft& draft) {
   if (!before || !after) {
     return false;
   }
-  const std::int64_t gone = 60 + draft.draws.integer(-10, 10);
-  const std::int64_t back = gone + 45 + draft.draws.integer(-15, 15);
+  const std::int64_t gone = 60 + draft.draws.drawInteger(-10, 10);
+  const std::int64_t back = gone + 45 + draft.draws.drawInteger(-15, 15);
   // Half a frame early, so that no exposure holds both.
   const double goneTime = draft.timeOf(gone) - 0.5 / draft.framesPerSecond;
   const double backTime = draft.timeOf(back) - 0.5 / draft.framesPerSecond;

@@ -21,7 +21,7 @@ namespace {
 /// everything as much.
 simulation::AdditionalLamp lampBeside(ScenarioDraft& draft, double up,
                                       const Eigen::Vector3d& color) {
-  const double angle = draft.draws.uniform(0.0, kFullTurn);
+  const double angle = draft.draws.drawUniform(0.0, kFullTurn);
   const Eigen::Vector3d middle = draft.stage.bodies[draft.targets.front()].path(0.0);
   const Eigen::Vector3d position = middle + Eigen::Vector3d(kLampDistance * std::cos(angle),
                                                             kLampDistance * std::sin(angle), up);
@@ -34,8 +34,8 @@ bool withSideLight(ScenarioDraft& draft) {
   if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
-  const double strength = draft.draws.uniform(1.0, 1.2);
-  const double up = draft.draws.uniform(0.1, 0.5);
+  const double strength = draft.draws.drawUniform(1.0, 1.2);
+  const double up = draft.draws.drawUniform(0.1, 0.5);
   const auto lamp = lampBeside(draft, up, Eigen::Vector3d::Constant(strength));
   draft.adjustFaults = [lamp](SensingFaults& faults) {
     faults.illumination.roomGain = kRoomGain;
@@ -52,10 +52,10 @@ bool withColoredLamp(ScenarioDraft& draft) {
   }
   // Kelvin: bulbs of 2700 to 3500 K, blue sky of 8000 to 10000 K. Strengths of full light.
   const double kelvin =
-      draft.draws.coinFlip() ? draft.draws.uniform(2700.0, 3500.0) : draft.draws.uniform(8e3, 10e3);
-  const double strength = draft.draws.uniform(0.3, 0.5);
-  const double up = draft.draws.uniform(0.3, 1.5);
-  const auto lamp = lampBeside(draft, up, strength * simulation::temperatureGain(kelvin));
+      draft.draws.flipCoin() ? draft.draws.drawUniform(2700.0, 3500.0) : draft.draws.drawUniform(8e3, 10e3);
+  const double strength = draft.draws.drawUniform(0.3, 0.5);
+  const double up = draft.draws.drawUniform(0.3, 1.5);
+  const auto lamp = lampBeside(draft, up, strength * simulation::colorTemperatureGain(kelvin));
   draft.adjustFaults = [lamp](SensingFaults& faults) {
     faults.illumination.roomGain = kRoomGain;
     faults.illumination.additionalLamps = {lamp};
@@ -74,12 +74,12 @@ simulation::GainCurve drawSteps(ScenarioDraft& draft) {
   while (static_cast<std::int64_t>(curve.gainPerFrame.size()) < draft.frameCount) {
     simulation::CameraGain gain;
     if (!curve.gainPerFrame.empty()) {
-      gain.exposure = std::exp2(draws.uniform(-kExposure, kExposure));
-      gain.whiteBalance[0] = std::exp2(draws.uniform(-kWhiteBalance, kWhiteBalance));
-      gain.whiteBalance[2] = std::exp2(draws.uniform(-kWhiteBalance, kWhiteBalance));
+      gain.exposureGain = std::exp2(draws.drawUniform(-kExposure, kExposure));
+      gain.whiteBalance[0] = std::exp2(draws.drawUniform(-kWhiteBalance, kWhiteBalance));
+      gain.whiteBalance[2] = std::exp2(draws.drawUniform(-kWhiteBalance, kWhiteBalance));
     }
     curve.gainPerFrame.insert(curve.gainPerFrame.end(),
-                              static_cast<std::size_t>(draws.integer(20, 40)), gain);
+                              static_cast<std::size_t>(draws.drawInteger(20, 40)), gain);
   }
   return curve;
 }
@@ -94,7 +94,7 @@ bool withExposureSteps(ScenarioDraft& draft) {
   }
   draft.adjustFaults = [curves](SensingFaults& faults) {
     for (std::size_t camera = 0; camera < curves.size(); ++camera) {
-      faults.cameras[camera].sensor.gains = curves[camera];
+      faults.cameras[camera].sensor.gainCurve = curves[camera];
     }
   };
   return true;
@@ -108,11 +108,11 @@ bool withFlicker(ScenarioDraft& draft) {
   }
   const Range& readout = gradeModel(Grade::Room).readoutSeconds;
   simulation::Flicker flicker;
-  flicker.depth = draft.draws.uniform(0.2, 0.4);
-  flicker.phase = draft.draws.uniform(0.0, kFullTurn);
+  flicker.modulationDepth = draft.draws.drawUniform(0.2, 0.4);
+  flicker.phaseRadians = draft.draws.drawUniform(0.0, kFullTurn);
   std::vector<simulation::Shutter> shutters;
   for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
-    shutters.push_back({kExposureSeconds, draft.draws.uniform(readout.low, readout.high)});
+    shutters.push_back({kExposureSeconds, draft.draws.drawUniform(readout.low, readout.high)});
   }
   draft.adjustFaults = [=](SensingFaults& faults) {
     for (std::size_t camera = 0; camera < shutters.size(); ++camera) {
@@ -130,15 +130,15 @@ bool withMovingShadow(ScenarioDraft& draft) {
   }
   RandomDraws& draws = draft.draws;
   simulation::MovingShadow shadow;
-  const double heading = draws.uniform(0.0, kFullTurn);
+  const double heading = draws.drawUniform(0.0, kFullTurn);
   const Eigen::Vector3d direction{std::cos(heading), std::sin(heading), 0.0};
-  const double when = draws.uniform(1.5, 4.5);
+  const double when = draws.drawUniform(1.5, 4.5);
   shadow.direction = direction.cast<float>();
-  shadow.speed = draws.uniform(0.1, 0.4);
+  shadow.speed = draws.drawUniform(0.1, 0.4);
   const Eigen::Vector3d ball = draft.stage.bodies[draft.targets.front()].path(when);
   shadow.initialPosition = direction.dot(ball) - shadow.speed * when;
-  shadow.halfWidth = static_cast<float>(draws.uniform(0.05, 0.2));
-  shadow.depth = static_cast<float>(draws.uniform(0.8, 1.0));
+  shadow.halfWidth = static_cast<float>(draws.drawUniform(0.05, 0.2));
+  shadow.blockedFraction = static_cast<float>(draws.drawUniform(0.8, 1.0));
   draft.adjustFaults = [shadow](SensingFaults& faults) { faults.illumination.shadow = shadow; };
   return true;
 }

@@ -34,7 +34,7 @@ bool isFree(const ScenarioDraft& draft, const Eigen::Vector3d& position) {
 
 /// Whether the ball is aside, with nothing of the way there and back.
 bool isHeld(const Detour& path, double time) {
-  return time >= path.holdBegin() && time <= path.holdEnd();
+  return time >= path.holdBeginTime() && time <= path.holdEndTime();
 }
 
 /// Shown by no `leaving` camera while it is aside; whole in the others all the time.
@@ -57,7 +57,7 @@ bool leaves(const ScenarioDraft& draft, const Detour& path, const std::vector<bo
   };
   // The middle of the hold first: most ways fail there.
   const auto middle = static_cast<std::int64_t>(
-      std::lround(0.5 * (path.holdBegin() + path.holdEnd()) * draft.framesPerSecond));
+      std::lround(0.5 * (path.holdBeginTime() + path.holdEndTime()) * draft.framesPerSecond));
   if (!isRight(middle)) {
     return false;
   }
@@ -92,14 +92,14 @@ std::optional<Detour> drawLeaving(ScenarioDraft& draft, const LissajousPath& bas
   const auto last = static_cast<int>(draft.rig.size()) - 1;
   std::vector<bool> left(draft.rig.size(), leaving.all);
   if (!leaving.all) {
-    left[static_cast<std::size_t>(draws.integer(0, last))] = true;
+    left[static_cast<std::size_t>(draws.drawInteger(0, last))] = true;
   }
   for (int i = 0; i < kWaysPerPath; ++i) {
     Detour path{base};
-    path.out = draws.uniform(0.2, 0.5) * draws.direction();
+    path.out = draws.drawUniform(0.2, 0.5) * draws.drawDirection();
     path.back = path.out;
     if (leaving.elsewhere) {
-      path.back = draws.uniform(0.2, 0.5) * draws.direction();
+      path.back = draws.drawUniform(0.2, 0.5) * draws.drawDirection();
       if (path.back.normalized().dot(path.out.normalized()) > std::cos(kOtherSide)) {
         continue;
       }
@@ -130,10 +130,10 @@ bool leave(ScenarioDraft& draft, const Leaving& leaving) {
 LissajousPath drawSmallPath(RandomDraws& draws, const Eigen::Vector3d& low,
                             const Eigen::Vector3d& high, const Eigen::Vector3d& extent) {
   LissajousPath path;
-  path.center = draws.pointInBox(low, high);
-  path.extent = draws.uniform(0.7, 1.0) * extent;
-  path.phase = draws.pointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
-  path.period = draws.uniform(4.0, 6.0);
+  path.center = draws.drawPointInBox(low, high);
+  path.extent = draws.drawUniform(0.7, 1.0) * extent;
+  path.phase = draws.drawPointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
+  path.periodSeconds = draws.drawUniform(4.0, 6.0);
   return path;
 }
 
@@ -170,15 +170,15 @@ bool hoverOnBorder(ScenarioDraft& draft) {
   const Eigen::Vector3d extent = draft.radiusScale * Eigen::Vector3d{0.02, 0.02, 0.015};
   for (int i = 0; i < kMaxDrawAttempts; ++i) {
     Detour path{drawSmallPath(draws, kPathLow, kPathHigh, extent)};
-    path.begin = 0.7;
-    path.hold = 3.0;
+    path.beginTime = 0.7;
+    path.holdSeconds = 3.0;
     const auto camera =
-        static_cast<std::size_t>(draws.integer(0, static_cast<int>(draft.rig.size()) - 1));
-    const int axis = draws.integer(0, 1); // to the side, or up or down
-    const double side = draws.coinFlip() ? 1.0 : -1.0;
+        static_cast<std::size_t>(draws.drawInteger(0, static_cast<int>(draft.rig.size()) - 1));
+    const int axis = draws.drawInteger(0, 1); // to the side, or up or down
+    const double side = draws.flipCoin() ? 1.0 : -1.0;
     const Eigen::Vector3d direction =
         side * draft.rig[camera].cameraFromWorld.linear().row(axis).transpose();
-    const auto way = wayToBorder(*draft.stage.views[camera], path.base.center, direction);
+    const auto way = wayToBorder(*draft.stage.views[camera], path.basePath.center, direction);
     if (!way) {
       continue;
     }
@@ -192,7 +192,7 @@ bool hoverOnBorder(ScenarioDraft& draft) {
       for (std::size_t other = 0; right && other < draft.rig.size(); ++other) {
         const Visibility showing = visibilityOf(*draft.stage.views[other], ball, radius);
         right = other == camera ? showing != Visibility::None &&
-                                      (time > path.begin || showing == Visibility::Full)
+                                      (time > path.beginTime || showing == Visibility::Full)
                                 : showing == Visibility::Full;
       }
     }
@@ -208,7 +208,7 @@ bool hoverOnBorder(ScenarioDraft& draft) {
 simulation::StageBody drawScreen(RandomDraws& draws, const Eigen::Vector3d& eye,
                                  const Eigen::Vector3d& point, std::size_t number) {
   constexpr double kAbove = 0.09; // of its top above the line of sight, meters: 2.5 radii
-  const Eigen::Vector3d onSight = eye + draws.uniform(0.6, 0.72) * (point - eye);
+  const Eigen::Vector3d onSight = eye + draws.drawUniform(0.6, 0.72) * (point - eye);
   const double halfHeight = 0.5 * (onSight.z() + kAbove);
   Eigen::Vector3d towards = point - eye;
   towards.z() = 0.0;
@@ -216,7 +216,7 @@ simulation::StageBody drawScreen(RandomDraws& draws, const Eigen::Vector3d& eye,
   simulation::StageBody box;
   box.name = fmt::format("box {}", number);
   box.isBox = true;
-  box.halfSize = {0.03, draws.uniform(0.08, 0.1), halfHeight};
+  box.halfSize = {0.03, draws.drawUniform(0.08, 0.1), halfHeight};
   box.axes.row(0) = towards;
   box.axes.row(1) = Eigen::Vector3d::UnitZ().cross(towards);
   box.axes.row(2) = Eigen::Vector3d::UnitZ();
@@ -263,7 +263,7 @@ bool goesBehind(const ScenarioDraft& draft, const Detour& path,
     }
     for (const Camera& camera : draft.rig) {
       const auto hidden = hiddenBy(boxes, camera.center(), ball);
-      const bool outside = time <= path.begin || time >= path.end();
+      const bool outside = time <= path.beginTime || time >= path.endTime();
       if (!hidden || (outside && *hidden > 0.0) || (isHeld(path, time) && *hidden < 1.0)) {
         return false;
       }
@@ -277,13 +277,14 @@ bool behindFurniture(ScenarioDraft& draft) {
   RandomDraws& draws = draft.draws;
   for (int i = 0; i < kMaxDrawAttempts; ++i) {
     Detour path{drawSmallPath(draws, {0.4, 0.4, 0.1}, {0.6, 0.6, 0.16}, {0.03, 0.03, 0.02})};
-    const double angle = draws.uniform(0.0, kFullTurn);
-    path.out = draws.uniform(0.25, 0.4) * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+    const double angle = draws.drawUniform(0.0, kFullTurn);
+    path.out =
+        draws.drawUniform(0.25, 0.4) * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
     path.back = path.out;
     std::vector<simulation::StageBody> boxes;
     for (const Camera& camera : draft.rig) {
       boxes.push_back(
-          drawScreen(draws, camera.center(), path.base.center + path.out, boxes.size() + 1));
+          drawScreen(draws, camera.center(), path.basePath.center + path.out, boxes.size() + 1));
     }
     if (!goesBehind(draft, path, boxes)) {
       continue;

@@ -28,14 +28,14 @@ StageBody drawPoster(ScenarioDraft& draft, std::size_t camera, const Eigen::Vect
   const Eigen::Vector3d sight = (center - draft.rig[camera].center()).normalized();
   const Eigen::Vector3d right = sight.cross(Eigen::Vector3d::UnitZ()).normalized();
   const Eigen::Vector3d up = right.cross(sight);
-  const double behind = draws.uniform(0.15, 0.45); // meters
-  const double aside = draws.uniform(-0.1, 0.1);
-  const double above = draws.uniform(-0.05, 0.1);
+  const double behind = draws.drawUniform(0.15, 0.45); // meters
+  const double aside = draws.drawUniform(-0.1, 0.1);
+  const double above = draws.drawUniform(-0.05, 0.1);
   const Eigen::Vector3d position = center + behind * sight + aside * right + above * up;
-  const Eigen::AngleAxisd tilt(draws.uniform(-kTilt, kTilt), draws.direction());
+  const Eigen::AngleAxisd tilt(draws.drawUniform(-kTilt, kTilt), draws.drawDirection());
   StageBody poster;
   poster.isBox = true;
-  poster.halfSize = {draws.uniform(0.06, 0.14), draws.uniform(0.06, 0.14), 0.002};
+  poster.halfSize = {draws.drawUniform(0.06, 0.14), draws.drawUniform(0.06, 0.14), 0.002};
   poster.axes.row(0) = tilt * right;
   poster.axes.row(1) = tilt * up;
   poster.axes.row(2) = tilt * sight;
@@ -124,7 +124,7 @@ bool beforePosters(ScenarioDraft& draft, bool everyCamera) {
     }
     addTarget(draft, *path);
     const auto last = static_cast<int>(draft.rig.size()) - 1;
-    const auto chosen = static_cast<std::size_t>(draft.draws.integer(0, last));
+    const auto chosen = static_cast<std::size_t>(draft.draws.drawInteger(0, last));
     bool placed = true;
     for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
       const bool wanted = everyCamera || camera == chosen;

@@ -51,10 +51,10 @@ std::vector<MovingPart> openingGlove(double time) {
 
 LissajousPath drawWay(RandomDraws& draws, const Handling& handling) {
   LissajousPath path;
-  path.center = draws.pointInBox({0.42, 0.42, 0.22}, {0.58, 0.58, 0.32});
-  path.extent = draws.uniform(0.7, 1.0) * Eigen::Vector3d{0.12, 0.1, 0.05};
-  path.phase = draws.pointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
-  path.period = 6.0;
+  path.center = draws.drawPointInBox({0.42, 0.42, 0.22}, {0.58, 0.58, 0.32});
+  path.extent = draws.drawUniform(0.7, 1.0) * Eigen::Vector3d{0.12, 0.1, 0.05};
+  path.phase = draws.drawPointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
+  path.periodSeconds = 6.0;
   if (handling.onDesk) {
     path.center.z() = handling.halfHeight;
     path.extent.z() = 0.0;
@@ -84,7 +84,7 @@ bool handled(ScenarioDraft& draft, const ObjectAt& object, const Handling& handl
       continue;
     }
     Spin spin = randomSpin(draws, 0.05, 0.25);
-    Eigen::AngleAxisd begin(draws.uniform(0.0, kFullTurn), draws.direction());
+    Eigen::AngleAxisd begin(draws.drawUniform(0.0, kFullTurn), draws.drawDirection());
     if (handling.upright) {
       spin.axis = Eigen::Vector3d::UnitZ();
       begin.axis() = Eigen::Vector3d::UnitZ();
@@ -99,7 +99,7 @@ bool handled(ScenarioDraft& draft, const ObjectAt& object, const Handling& handl
       }
       return parts;
     };
-    draft.radiusKnown = false;
+    draft.isRadiusKnown = false;
     startNearTruth(draft);
     return true;
   }
@@ -114,16 +114,16 @@ bool walking(ScenarioDraft& draft) {
   RandomDraws& draws = draft.draws;
   simulation::Walker walker;
   walker.clothes.shirt = kPink;
-  walker.height = draws.uniform(1.6, 1.9);
+  walker.height = draws.drawUniform(1.6, 1.9);
   const double chest = kChest * walker.height / simulation::kReferenceHeight;
   for (int i = 0; i < kMaxDrawAttempts; ++i) {
     walker.waypoints.clear();
     for (const double time : {-1.0, 1.5, 4.0, 7.0}) {
-      const Eigen::Vector3d position = draws.pointInBox({-1.2, -1.0, 0.0}, {1.2, 1.4, 0.0});
+      const Eigen::Vector3d position = draws.drawPointInBox({-1.2, -1.0, 0.0}, {1.2, 1.4, 0.0});
       walker.waypoints.push_back({time, position.head<2>()});
     }
     const simulation::Path path = [walker, chest](double time) -> Eigen::Vector3d {
-      const Eigen::Vector2d foot = walker.position(time);
+      const Eigen::Vector2d foot = walker.positionAt(time);
       return {foot.x(), foot.y(), chest};
     };
     if (!staysVisible(draft, path, kBound)) {
@@ -137,7 +137,7 @@ bool walking(ScenarioDraft& draft) {
       }
       return parts;
     };
-    draft.radiusKnown = false;
+    draft.isRadiusKnown = false;
     startNearTruth(draft);
     return true;
   }

@@ -41,7 +41,7 @@ bool farFromCameras(const simulation::Stage& stage, const Volume& volume,
 std::optional<Eigen::Vector3d> drawPosition(ScenarioDraft& draft, const Volume& volume) {
   const Eigen::Vector3d up = volume.radius * Eigen::Vector3d::UnitZ();
   for (int i = 0; i < kMaxDrawAttempts; ++i) {
-    const Eigen::Vector3d position = draft.draws.pointInBox(volume.low + up, volume.high);
+    const Eigen::Vector3d position = draft.draws.drawPointInBox(volume.low + up, volume.high);
     if (farFromCameras(draft.stage, volume, position) &&
         isFullyVisible(draft.stage, position, volume.radius)) {
       return position;
@@ -57,7 +57,8 @@ std::optional<simulation::Path> drawWay(ScenarioDraft& draft, const Volume& volu
     if (!position) {
       return std::nullopt;
     }
-    const Eigen::Vector3d speed = draft.draws.uniform(0.0, volume.drift) * draft.draws.direction();
+    const Eigen::Vector3d speed =
+        draft.draws.drawUniform(0.0, volume.drift) * draft.draws.drawDirection();
     const simulation::Path way = [=](double time) -> Eigen::Vector3d {
       return *position + time * speed;
     };
@@ -73,10 +74,10 @@ enum class Distractor { SmallBall, BigBall, SmallBox, BigBox, Patch };
 /// The target's color, but another physical size (0.5 to 0.7 or 1.6 to 2 times) or shape.
 simulation::StageBody drawDistractor(RandomDraws& draws, Distractor kind, double radius) {
   simulation::StageBody body;
-  const double small = draws.uniform(0.5, 0.7) * radius;
-  const double big = draws.uniform(1.6, 2.0) * radius;
-  const double other = draws.uniform(1.6, 2.4) * radius;
-  const Eigen::AngleAxisd yaw(draws.uniform(0.0, kFullTurn), Eigen::Vector3d::UnitZ());
+  const double small = draws.drawUniform(0.5, 0.7) * radius;
+  const double big = draws.drawUniform(1.6, 2.0) * radius;
+  const double other = draws.drawUniform(1.6, 2.4) * radius;
+  const Eigen::AngleAxisd yaw(draws.drawUniform(0.0, kFullTurn), Eigen::Vector3d::UnitZ());
   switch (kind) {
   case Distractor::SmallBall:
     body.radius = small;
@@ -96,7 +97,7 @@ simulation::StageBody drawDistractor(RandomDraws& draws, Distractor kind, double
   }
   body.isBox = true;
   body.axes = yaw.toRotationMatrix().transpose();
-  if (kind == Distractor::Patch && draws.coinFlip()) {
+  if (kind == Distractor::Patch && draws.flipCoin()) {
     // Upright like a poster instead of flat like a sheet.
     body.axes = (yaw * Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitX()))
                     .toRotationMatrix()
@@ -131,14 +132,14 @@ bool addDistractors(ScenarioDraft& draft, const Volume& volume) {
                                   Distractor::BigBox, Distractor::Patch};
   for (int count = 0; count < 3; ++count) {
     const auto first = static_cast<std::size_t>(count);
-    std::swap(kinds[first], kinds[static_cast<std::size_t>(draft.draws.integer(count, 4))]);
+    std::swap(kinds[first], kinds[static_cast<std::size_t>(draft.draws.drawInteger(count, 4))]);
     simulation::StageBody body = drawDistractor(draft.draws, kinds[first], volume.radius);
     body.name = fmt::format("look-alike {}", count + 1);
     const int cameras = count == 0 ? 2 : 1;
     bool placed = false;
     for (int i = 0; i < kMaxDrawAttempts / 10 && !placed; ++i) {
-      Eigen::Vector3d position = draft.draws.pointInBox(volume.low, volume.high);
-      if (draft.draws.coinFlip()) {
+      Eigen::Vector3d position = draft.draws.drawPointInBox(volume.low, volume.high);
+      if (draft.draws.flipCoin()) {
         position.z() = 0.0; // on the ground: that high is half of what stands on it
       }
       position.z() = std::max(position.z(), body.isBox ? body.halfSize.z() : body.radius);
@@ -168,7 +169,8 @@ bool startAnywhere(ScenarioDraft& draft, const Volume& volume, bool cloud) {
     if (!addDistractors(draft, volume)) {
       continue;
     }
-    draft.startCenter = cloud ? volume.center() : draft.draws.pointInBox(volume.low, volume.high);
+    draft.startCenter =
+        cloud ? volume.center() : draft.draws.drawPointInBox(volume.low, volume.high);
     draft.startHalfSize = cloud ? volume.half() : Eigen::Vector3d::Zero();
     return true;
   }
@@ -183,7 +185,7 @@ bool jumpBy(ScenarioDraft& draft, const Volume& volume, double length) {
     if (!from) {
       return false;
     }
-    const Eigen::Vector3d to = *from + length * draft.draws.direction();
+    const Eigen::Vector3d to = *from + length * draft.draws.drawDirection();
     const bool inside = (to.array() >= volume.low.array()).all() &&
                         (to.array() <= volume.high.array()).all() && to.z() >= volume.radius;
     if (!inside || !farFromCameras(draft.stage, volume, to) ||

@@ -23,7 +23,7 @@ bool staysVisibleFrom(const ScenarioDraft& draft, const PiecewisePath& path, dou
   const auto first = static_cast<std::int64_t>(std::floor(begin * draft.framesPerSecond));
   for (std::int64_t frame = first; frame < draft.frameCount; ++frame) {
     const double time = draft.timeOf(frame);
-    if (time > path.end()) {
+    if (time > path.endTime()) {
       return true;
     }
     if (!isFullyVisible(draft.stage, path(time), draft.ballRadius())) {
@@ -36,16 +36,16 @@ bool staysVisibleFrom(const ScenarioDraft& draft, const PiecewisePath& path, dou
 /// Appends pieces until the run is full; each is drawn again until it can be seen.
 std::optional<PiecewisePath> drawPath(ScenarioDraft& draft, const Eigen::Vector3d& low,
                                       const Eigen::Vector3d& high, const Append& append) {
-  PiecewisePath path(draft.draws.pointInBox(low, high));
+  PiecewisePath path(draft.draws.drawPointInBox(low, high));
   path.rest(kFirstRest);
   int draws = 0;
-  while (path.end() < draft.timeOf(draft.frameCount)) {
+  while (path.endTime() < draft.timeOf(draft.frameCount)) {
     if (++draws > kMaxDrawAttempts || !isFullyVisible(draft.stage, path(0.0), draft.ballRadius())) {
       return std::nullopt;
     }
     PiecewisePath longer = path;
     append(longer);
-    if (staysVisibleFrom(draft, longer, path.end())) {
+    if (staysVisibleFrom(draft, longer, path.endTime())) {
       path = longer;
     }
   }
@@ -57,8 +57,8 @@ std::optional<PiecewisePath> drawThrows(ScenarioDraft& draft) {
   const Eigen::Vector3d low{0.42, 0.42, 0.06};
   const Eigen::Vector3d high{0.6, 0.58, 0.1};
   return drawPath(draft, low, high, [&](PiecewisePath& path) {
-    addThrow(path, draft.draws.pointInBox(low, high), draft.draws.uniform(0.24, 0.32));
-    path.rest(draft.draws.uniform(0.15, 0.4));
+    addThrow(path, draft.draws.drawPointInBox(low, high), draft.draws.drawUniform(0.24, 0.32));
+    path.rest(draft.draws.drawUniform(0.15, 0.4));
   });
 }
 
@@ -69,16 +69,16 @@ std::optional<PiecewisePath> drawBounces(ScenarioDraft& draft) {
   RandomDraws& draws = draft.draws;
   // Restitution of rubber balls on wood: from a dull one to a lively one.
   const double radius = draft.ballRadius();
-  const Bounce bounce{radius, draws.uniform(0.6, 0.85)};
+  const Bounce bounce{radius, draws.drawUniform(0.6, 0.85)};
   const Eigen::Vector3d low{0.42, 0.42, radius + 0.1};
   const Eigen::Vector3d high{0.6, 0.58, radius + 0.17};
   return drawPath(draft, low, high, [&](PiecewisePath& path) {
-    const double angle = draws.uniform(0.0, kFullTurn);
-    const double speed = draws.uniform(0.0, kPush);
+    const double angle = draws.drawUniform(0.0, kFullTurn);
+    const double speed = draws.drawUniform(0.0, kPush);
     path.setVelocity({speed * std::cos(angle), speed * std::sin(angle), 0.0});
     addBounces(path, bounce);
     path.rest(0.3);
-    addCarry(path, draws.pointInBox(low, high), kLift);
+    addCarry(path, draws.drawPointInBox(low, high), kLift);
     path.rest(0.2);
   });
 }
@@ -103,7 +103,7 @@ bool spinning(ScenarioDraft& draft) {
     return false;
   }
   const Spin spin = randomSpin(draft.draws, 2.0, 5.0);
-  const BallPattern pattern = draft.draws.coinFlip() ? BallPattern::TwoPatches : BallPattern::Seams;
+  const BallPattern pattern = draft.draws.flipCoin() ? BallPattern::TwoPatches : BallPattern::Seams;
   paintBall(draft.stage.bodies.back(), pattern, spin, draft.draws);
   return true;
 }

@@ -21,7 +21,7 @@ bool withRollingShutters(ScenarioDraft& draft, bool fast) {
   const Range& range = gradeModel(Grade::Room).readoutSeconds;
   std::vector<double> readouts;
   for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
-    readouts.push_back(draft.draws.uniform(range.low, range.high));
+    readouts.push_back(draft.draws.drawUniform(range.low, range.high));
   }
   draft.isCalibrationExactWhenIdeal = false;
   draft.adjustFaults = [readouts](SensingFaults& faults) {
@@ -39,12 +39,12 @@ bool withUnknownDelays(ScenarioDraft& draft, bool fast) {
   const Range& range = gradeModel(Grade::Room).delayFrames;
   std::vector<double> delays;
   for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
-    delays.push_back(draft.draws.uniform(range.low, range.high) / draft.framesPerSecond);
+    delays.push_back(draft.draws.drawUniform(range.low, range.high) / draft.framesPerSecond);
   }
   draft.isCalibrationExactWhenIdeal = false;
   draft.adjustFaults = [delays](SensingFaults& faults) {
     for (std::size_t camera = 0; camera < delays.size(); ++camera) {
-      faults.cameras[camera].timing.delay = delays[camera];
+      faults.cameras[camera].timing.delaySeconds = delays[camera];
     }
   };
   return true;
@@ -59,8 +59,8 @@ bool withDroppedAndDoubled(ScenarioDraft& draft) {
   draft.isCalibrationExactWhenIdeal = false;
   draft.adjustFaults = [](SensingFaults& faults) {
     for (CameraFaults& camera : faults.cameras) {
-      camera.timing.droppedShare = kShare;
-      camera.timing.repeatedShare = kShare;
+      camera.timing.droppedFrameShare = kShare;
+      camera.timing.repeatedFrameShare = kShare;
     }
   };
   return true;
@@ -72,9 +72,9 @@ bool withFrozenStream(ScenarioDraft& draft) {
   if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
-  const std::int64_t begin = 75 + draft.draws.integer(-15, 15);
+  const std::int64_t begin = 75 + draft.draws.drawInteger(-15, 15);
   const auto frozen =
-      static_cast<std::size_t>(draft.draws.integer(0, static_cast<int>(draft.rig.size()) - 1));
+      static_cast<std::size_t>(draft.draws.drawInteger(0, static_cast<int>(draft.rig.size()) - 1));
   draft.isCalibrationExactWhenIdeal = false;
   draft.adjustFaults = [=](SensingFaults& faults) {
     faults.cameras[frozen].timing.freezeBegin = begin;
@@ -92,7 +92,7 @@ bool withDriftingClocks(ScenarioDraft& draft) {
   }
   std::vector<double> drifts;
   for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
-    drifts.push_back(draft.draws.uniform(-kDrift, kDrift));
+    drifts.push_back(draft.draws.drawUniform(-kDrift, kDrift));
   }
   draft.isCalibrationExactWhenIdeal = false;
   draft.adjustFaults = [drifts](SensingFaults& faults) {

@@ -11,11 +11,11 @@ namespace dewpoint::experiment::scenarios {
 /// Timing faults of a camera, which methods do not know. The time stamp of a frame is its arrival
 /// time minus the known part of the camera's delay; the delays in this struct come in addition.
 struct CameraTiming {
-  double delay = 0.0;         ///< unknown delay: time from mid-exposure to the time stamp, seconds
+  double delaySeconds = 0.0;  ///< unknown delay: time from mid-exposure to the time stamp, seconds
   double clockDrift = 0.0;    ///< increase of the unknown delay, seconds per second
-  double jitter = 0.0;        ///< standard deviation of the errors of the time stamps, seconds
-  double droppedShare = 0.0;  ///< fraction of frames that do not arrive
-  double repeatedShare = 0.0; ///< fraction of frames that repeat the previous image
+  double jitterSeconds = 0.0; ///< standard deviation of the errors of the time stamps, seconds
+  double droppedFrameShare = 0.0;  ///< fraction of frames that do not arrive
+  double repeatedFrameShare = 0.0; ///< fraction of frames that repeat the previous image
   /// Frames in the range [freezeBegin, freezeEnd) repeat the last image before this range, with new
   /// time stamps.
   std::int64_t freezeBegin = 0;

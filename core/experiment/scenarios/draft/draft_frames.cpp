@@ -15,7 +15,7 @@ namespace {
 std::int64_t newestFrame(const CameraClock& clock, double time) {
   constexpr double kRounding = 1e-6; // of a frame: taken exactly at `time` counts
   return static_cast<std::int64_t>(
-      std::floor((time - clock.offset) * clock.framesPerSecond + kRounding));
+      std::floor((time - clock.offsetSeconds) * clock.framesPerSecond + kRounding));
 }
 
 /// The frame that a camera contributes to set `frame`; null when there is none.
@@ -40,7 +40,7 @@ FramePtr frameOf(const ScenarioDraft& draft, std::size_t camera, std::int64_t fr
     return nullptr;
   }
   const auto stampOf = [&](std::int64_t number) {
-    return clock.offset + static_cast<double>(number) / clock.framesPerSecond;
+    return clock.offsetSeconds + static_cast<double>(number) / clock.framesPerSecond;
   };
   const double taken = midExposureTime(timing, stampOf(delivery->shownFrame));
   return std::make_shared<const Frame>(

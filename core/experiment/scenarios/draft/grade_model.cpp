@@ -20,7 +20,7 @@ constexpr GradeModel kRoom{
     .psfSigmaPx = {0.5, 2.0},
     // Small pixels hold 5000 to 10000 electrons; the gain that a room's light needs leaves a part.
     .fullWellElectrons = {1000.0, 6000.0},
-    .readElectrons = {2.0, 6.0}, // data sheets of small CMOS sensors
+    .readNoiseElectrons = {2.0, 6.0}, // data sheets of small CMOS sensors
     // A step of a webcam's "gamma" setting to both sides of BT.709.
     .contrast = {0.88, 1.12},
     .sharpening = {0.2, 1.0},
@@ -28,12 +28,12 @@ constexpr GradeModel kRoom{
     .jpegQuality = {40.0, 90.0}, // motion JPEG of webcams, at a narrow and at a wide bandwidth
     // The cosine to the fourth takes 43 % at 30 degrees, the corners here; cameras give some back.
     .vignette = {0.1, 0.35},
-    .sideFalloff = 0.12,
+    .maxSideFalloff = 0.12,
     .exposureSeconds = {0.010, 0.033},  // indoors, up to the whole period of 30 frames per second
     .exposureOffsetStops = {-0.3, 0.3}, // a step of a camera's exposure compensation
-    .initialErrorStops = {-0.3, 0.3},
+    .initialExposureErrorStops = {-0.3, 0.3},
     .whiteBalanceStops = {-0.12, 0.12}, // 8 % of blue or red against green
-    .huntingStops = {0.0, 0.2},
+    .huntingAmplitudeStops = {0.0, 0.2},
     .huntingPeriodSeconds = {2.0, 6.0},
     // Time constants of 0.13 to 0.7 s at 30 frames per second; all pairs are stable, see
     // ControlLoop.
@@ -53,13 +53,13 @@ constexpr GradeModel kRoom{
     .readoutSeconds = {0.015, 0.030}, // webcams read out a frame in 15 to 30 ms
     .delayFrames = {0.0, 0.5}, // cameras that free-run; half a frame is the most between neighbors
     .jitterSeconds = {0.0, 0.003}, // of a host that is busy with other things
-    .droppedShare = {0.0, 0.02},
-    .repeatedShare = {0.0, 0.02},
+    .droppedFrameShare = {0.0, 0.02},
+    .repeatedFrameShare = {0.0, 0.02},
     // Points measured with a ruler and clicked by hand: 1 to 2 pixels at the desk, with one error
     // after the other.
     .calibration = {0.005, 0.002, 0.2 * kDegree, 0.01},
     .driftRadians = {0.0, 0.001}, // up to 0.35 pixels at a focal length of 350 pixels
-    .driftSettleSeconds = {2.0, 20.0},
+    .driftTimeConstantSeconds = {2.0, 20.0},
 };
 
 // The same, about one and a half times to twice as strong; chosen.
@@ -67,18 +67,18 @@ constexpr GradeModel kWild{
     .name = "wild",
     .psfSigmaPx = {0.7, 3.0},
     .fullWellElectrons = {300.0, 3000.0},
-    .readElectrons = {3.0, 10.0},
+    .readNoiseElectrons = {3.0, 10.0},
     .contrast = {0.75, 1.3},
     .sharpening = {0.2, 2.0},
     .sharpeningSigma = {0.8, 2.0},
     .jpegQuality = {25.0, 80.0},
     .vignette = {0.1, 0.5},
-    .sideFalloff = 0.25,
+    .maxSideFalloff = 0.25,
     .exposureSeconds = {0.010, 0.033},
     .exposureOffsetStops = {-0.7, 0.7},
-    .initialErrorStops = {-1.0, 1.0},
+    .initialExposureErrorStops = {-1.0, 1.0},
     .whiteBalanceStops = {-0.25, 0.25},
-    .huntingStops = {0.0, 0.5},
+    .huntingAmplitudeStops = {0.0, 0.5},
     .huntingPeriodSeconds = {1.0, 5.0},
     .exposureLoopSpeed = {0.05, 0.3},
     .exposureLoopLagFrames = {1.0, 4.0},
@@ -92,11 +92,11 @@ constexpr GradeModel kWild{
     .readoutSeconds = {0.015, 0.033},
     .delayFrames = {0.0, 0.5},
     .jitterSeconds = {0.0, 0.006},
-    .droppedShare = {0.0, 0.08},
-    .repeatedShare = {0.0, 0.08},
+    .droppedFrameShare = {0.0, 0.08},
+    .repeatedFrameShare = {0.0, 0.08},
     .calibration = {0.01, 0.004, 0.4 * kDegree, 0.02},
     .driftRadians = {0.0, 0.003},
-    .driftSettleSeconds = {1.0, 10.0},
+    .driftTimeConstantSeconds = {1.0, 10.0},
 };
 
 /// k1 and k2 (Brown's model) of lenses that keep the image monotonous to its corners; chosen: from
@@ -105,23 +105,24 @@ constexpr std::array<std::array<double, 2>, 4> kLenses{
     {{0.0, 0.0}, {-0.08, 0.01}, {-0.15, 0.04}, {-0.25, 0.09}}};
 
 double draw(const Range& range, RandomDraws& draws) {
-  return draws.uniform(range.low, range.high);
+  return draws.drawUniform(range.low, range.high);
 }
 
 simulation::AutomaticGain drawAutomatic(const GradeModel& model, RandomDraws& draws) {
   simulation::AutomaticGain automatic;
-  automatic.exposure.speed = draw(model.exposureLoopSpeed, draws);
-  automatic.exposure.lagFrames =
+  automatic.exposureLoop.correctedFractionPerFrame = draw(model.exposureLoopSpeed, draws);
+  automatic.exposureLoop.lagInFrames =
       static_cast<int>(std::lround(draw(model.exposureLoopLagFrames, draws)));
   /// The white balance is slower than the exposure by this factor; chosen: it must not pulse.
   constexpr double kWhiteBalanceSpeed = 0.5;
-  automatic.whiteBalance.speed = kWhiteBalanceSpeed * draw(model.exposureLoopSpeed, draws);
-  automatic.whiteBalance.lagFrames = automatic.exposure.lagFrames;
+  automatic.whiteBalanceLoop.correctedFractionPerFrame =
+      kWhiteBalanceSpeed * draw(model.exposureLoopSpeed, draws);
+  automatic.whiteBalanceLoop.lagInFrames = automatic.exposureLoop.lagInFrames;
   automatic.exposureOffsetStops = draw(model.exposureOffsetStops, draws);
-  automatic.initialErrorStops = draw(model.initialErrorStops, draws);
-  automatic.huntingStops = draw(model.huntingStops, draws);
+  automatic.initialExposureErrorStops = draw(model.initialExposureErrorStops, draws);
+  automatic.huntingAmplitudeStops = draw(model.huntingAmplitudeStops, draws);
   automatic.huntingPeriodSeconds = draw(model.huntingPeriodSeconds, draws);
-  automatic.huntingPhaseRadians = draws.uniform(0.0, kFullTurn);
+  automatic.huntingPhaseRadians = draws.drawUniform(0.0, kFullTurn);
   automatic.whiteBalanceStops[0] = draw(model.whiteBalanceStops, draws);
   automatic.whiteBalanceStops[1] = draw(model.whiteBalanceStops, draws);
   return automatic;
@@ -129,17 +130,17 @@ simulation::AutomaticGain drawAutomatic(const GradeModel& model, RandomDraws& dr
 
 CameraTiming drawTiming(const GradeModel& model, const FaultContext& context, RandomDraws& draws) {
   CameraTiming timing;
-  timing.delay = draw(model.delayFrames, draws) / context.framesPerSecond;
-  timing.jitter = draw(model.jitterSeconds, draws);
-  timing.droppedShare = draw(model.droppedShare, draws);
-  timing.repeatedShare = draw(model.repeatedShare, draws);
+  timing.delaySeconds = draw(model.delayFrames, draws) / context.framesPerSecond;
+  timing.jitterSeconds = draw(model.jitterSeconds, draws);
+  timing.droppedFrameShare = draw(model.droppedFrameShare, draws);
+  timing.repeatedFrameShare = draw(model.repeatedFrameShare, draws);
   return timing;
 }
 
 /// A point beside the start of the target, `away` meters off horizontally and `up` above it.
 simulation::Vector3f beside(const FaultContext& context, double away, double up,
                             RandomDraws& draws) {
-  const double angle = draws.uniform(0.0, kFullTurn);
+  const double angle = draws.drawUniform(0.0, kFullTurn);
   const Eigen::Vector3d offset{away * std::cos(angle), away * std::sin(angle), up};
   return (context.targetStart + offset).cast<float>();
 }
@@ -163,19 +164,20 @@ simulation::Illumination drawIllumination(const GradeModel& model, const FaultCo
   const simulation::Vector3f above =
       beside(context, context.lampDistance, draw(kWallHeight, draws), draws);
   const double strength = draw(model.coloredLampFraction, draws);
-  const Eigen::Vector3d tint = simulation::temperatureGain(draw(model.coloredLampKelvin, draws));
+  const Eigen::Vector3d tint =
+      simulation::colorTemperatureGain(draw(model.coloredLampKelvin, draws));
   light.additionalLamps.push_back(
       {above, (strength * tint).cast<float>(), distanceTo(context, above)});
   simulation::MovingShadow shadow;
-  const double heading = draws.uniform(0.0, kFullTurn);
+  const double heading = draws.drawUniform(0.0, kFullTurn);
   const Eigen::Vector3d direction{std::cos(heading), std::sin(heading), 0.0};
   shadow.direction = direction.cast<float>();
   shadow.speed = draw(model.shadowSpeed, draws);
   // It passes where the target begins at some time of the run.
-  shadow.initialPosition =
-      direction.dot(context.targetStart) - shadow.speed * draws.uniform(0.0, context.seconds);
+  shadow.initialPosition = direction.dot(context.targetStart) -
+                           shadow.speed * draws.drawUniform(0.0, context.durationSeconds);
   shadow.halfWidth = static_cast<float>(draw(model.shadowHalfWidth, draws));
-  shadow.depth = static_cast<float>(draw(model.shadowDepth, draws));
+  shadow.blockedFraction = static_cast<float>(draw(model.shadowDepth, draws));
   light.shadow = shadow;
   return light;
 }
@@ -201,15 +203,15 @@ simulation::SensorModel randomSensor(const GradeModel& model, const FaultContext
                                      RandomDraws& draws) {
   simulation::SensorModel sensor;
   sensor.psfSigmaPx = draw(model.psfSigmaPx, draws);
-  sensor.noise = {draw(model.fullWellElectrons, draws), draw(model.readElectrons, draws)};
+  sensor.noise = {draw(model.fullWellElectrons, draws), draw(model.readNoiseElectrons, draws)};
   sensor.contrast = draw(model.contrast, draws);
   sensor.sharpening = {draw(model.sharpening, draws), draw(model.sharpeningSigma, draws)};
   sensor.jpegQuality = static_cast<int>(std::lround(draw(model.jpegQuality, draws)));
   const double exposure = draw(model.exposureSeconds, draws);
   sensor.shutter = {std::max(exposure, context.exposureSeconds), draw(model.readoutSeconds, draws)};
   const double angle = draw(model.driftRadians, draws);
-  sensor.drift.rotation = angle * draws.direction();
-  sensor.drift.settleSeconds = draw(model.driftSettleSeconds, draws);
+  sensor.drift.rotation = angle * draws.drawDirection();
+  sensor.drift.settleSeconds = draw(model.driftTimeConstantSeconds, draws);
   return sensor;
 }
 
@@ -218,17 +220,19 @@ SensingFaults randomFaults(const GradeModel& model, const FaultContext& context,
   SensingFaults faults;
   faults.illumination = drawIllumination(model, context, draws);
   simulation::Flicker flicker;
-  flicker.frequencyHz = draws.coinFlip() ? 100.0 : 120.0; // twice that of the mains
-  flicker.depth = draw(model.flickerDepth, draws);
-  flicker.phase = draws.uniform(0.0, kFullTurn);
-  for (std::size_t camera = 0; camera < context.cameras; ++camera) {
+  flicker.frequencyHz = draws.flipCoin() ? 100.0 : 120.0; // twice that of the mains
+  flicker.modulationDepth = draw(model.flickerDepth, draws);
+  flicker.phaseRadians = draws.drawUniform(0.0, kFullTurn);
+  for (std::size_t camera = 0; camera < context.cameraCount; ++camera) {
     CameraFaults& own = faults.cameras.emplace_back();
     own.sensor = randomSensor(model, context, draws);
     own.sensor.flicker = flicker;
     own.automaticGain = drawAutomatic(model, draws);
     own.unevenLight.vignette = draw(model.vignette, draws);
-    own.unevenLight.gainToRight = draws.uniform(-model.sideFalloff, model.sideFalloff);
-    own.unevenLight.gainToBottom = draws.uniform(-model.sideFalloff, model.sideFalloff);
+    own.unevenLight.lightGainTowardRight =
+        draws.drawUniform(-model.maxSideFalloff, model.maxSideFalloff);
+    own.unevenLight.lightGainTowardBottom =
+        draws.drawUniform(-model.maxSideFalloff, model.maxSideFalloff);
     own.timing = drawTiming(model, context, draws);
     own.calibration = model.calibration;
   }
@@ -241,7 +245,7 @@ void setRandomLenses(Grade grade, CameraRig& rig, RandomDraws& draws) {
   }
   for (Camera& camera : rig) {
     const auto lens =
-        static_cast<std::size_t>(draws.integer(0, static_cast<int>(kLenses.size()) - 1));
+        static_cast<std::size_t>(draws.drawInteger(0, static_cast<int>(kLenses.size()) - 1));
     camera.distortion[0] = kLenses.at(lens)[0];
     camera.distortion[1] = kLenses.at(lens)[1];
   }

@@ -23,28 +23,28 @@ struct GradeModel {
   // Lens and sensor.
   Range psfSigmaPx; ///< standard deviation of the lens blur, pixels
   /// Full well of the sensor (PixelNoise::fullWellElectrons) in electrons, at the gain that the
-  /// light in the room requires. CameraGain::exposure, which also changes the noise, is relative to
-  /// this gain.
+  /// light in the room requires. CameraGain::exposureGain, which also changes the noise, is
+  /// relative to this gain.
   Range fullWellElectrons;
-  Range readElectrons;      ///< standard deviation of the read noise, electrons
+  Range readNoiseElectrons;      ///< standard deviation of the read noise, electrons
   Range contrast;           ///< SensorModel::contrast: exponent applied to the tone curve
   Range sharpening;         ///< Sharpening::amount: strength of the unsharp mask
   Range sharpeningSigma;    ///< standard deviation of the blur in the unsharp mask, pixels
   Range jpegQuality;        ///< JPEG quality of the images, 1 to 100
   Range vignette;           ///< fraction of light lost in the corners
-  double sideFalloff = 0.0; ///< largest fraction of light gained or lost toward a border
+  double maxSideFalloff = 0.0; ///< largest fraction of light gained or lost toward a border
 
   // Exposure and white balance.
   Range exposureSeconds; ///< exposure of each row, seconds
   Range
       exposureOffsetStops; ///< settled exposure relative to the nominal one, stops (factors of two)
-  Range initialErrorStops; ///< error of the exposure at frame 0, stops
+  Range initialExposureErrorStops; ///< error of the exposure at frame 0, stops
   Range whiteBalanceStops; ///< constant error of blue and red, stops
-  Range huntingStops;      ///< amplitude of a periodic error in the measured brightness, stops
+  Range huntingAmplitudeStops;      ///< amplitude of a periodic error in the measured brightness, stops
   Range huntingPeriodSeconds; ///< period of the error in the measured brightness, seconds
-  /// ControlLoop::speed: fraction of the exposure error that is corrected per frame.
+  /// ControlLoop::correctedFractionPerFrame: fraction of the exposure error that is corrected per /// frame.
   Range exposureLoopSpeed;
-  /// ControlLoop::lagFrames: number of frames from a measurement to its effect.
+  /// ControlLoop::lagInFrames: number of frames from a measurement to its effect.
   Range exposureLoopLagFrames;
 
   // Light; drawn once per run.
@@ -60,16 +60,16 @@ struct GradeModel {
   Range flickerDepth; ///< amplitude of the flicker (100 or 120 Hz) as a fraction of the mean light
 
   // Time.
-  Range readoutSeconds; ///< time from the first to the last row of a rolling shutter
-  Range delayFrames;    ///< part of the camera's delay that methods do not know, frames
-  Range jitterSeconds;  ///< standard deviation of the errors of the time stamps, seconds
-  Range droppedShare;   ///< fraction of frames that do not arrive
-  Range repeatedShare;  ///< fraction of frames that repeat the previous image
+  Range readoutSeconds;     ///< time from the first to the last row of a rolling shutter
+  Range delayFrames;        ///< part of the camera's delay that methods do not know, frames
+  Range jitterSeconds;      ///< standard deviation of the errors of the time stamps, seconds
+  Range droppedFrameShare;  ///< fraction of frames that do not arrive
+  Range repeatedFrameShare; ///< fraction of frames that repeat the previous image
 
   // Calibration.
-  CalibrationError calibration; ///< standard deviations of the errors of the calibration
-  Range driftRadians;           ///< final rotation of the camera since its calibration, radians
-  Range driftSettleSeconds;     ///< time constant of the rotation since the calibration, seconds
+  CalibrationError calibration;   ///< standard deviations of the errors of the calibration
+  Range driftRadians;             ///< final rotation of the camera since its calibration, radians
+  Range driftTimeConstantSeconds; ///< time constant of the rotation since the calibration, seconds
 };
 
 /// Default horizontal distance of additional lamps from the target's initial position, meters. It
@@ -83,8 +83,8 @@ const GradeModel& gradeModel(Grade grade);
 
 /// Properties of a run on which its random faults depend.
 struct FaultContext {
-  std::size_t cameras = 0;
-  double seconds = 6.0; ///< duration of the run
+  std::size_t cameraCount = 0;
+  double durationSeconds = 6.0; ///< duration of the run
   double framesPerSecond = simulation::kDefaultFrameRate;
   double exposureSeconds = simulation::kDefaultExposureSeconds; ///< shortest exposure, seconds
   /// Initial position of the first target, world, meters.

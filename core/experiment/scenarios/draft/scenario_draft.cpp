@@ -38,7 +38,7 @@ Trajectory truthOf(const ScenarioDraft& draft, std::vector<TargetExtent>& extent
       sample.position = now.position;
       extents.push_back(now.extent);
       sample.cameraCount = static_cast<int>(draft.rig.size());
-      sample.valid = body.isPresentAt(sample.time);
+      sample.isValid = body.isPresentAt(sample.time);
       truth.samples.push_back(std::move(sample));
     }
   }
@@ -52,13 +52,13 @@ SensingFaults faultsOf(const ScenarioDraft& draft) {
     const GradeModel& model = gradeModel(draft.grade);
     RandomDraws draws(draft.seed, draft.name + " " + model.name);
     FaultContext context;
-    context.cameras = draft.rig.size();
-    context.seconds = draft.timeOf(draft.frameCount);
+    context.cameraCount = draft.rig.size();
+    context.durationSeconds = draft.timeOf(draft.frameCount);
     context.framesPerSecond = draft.framesPerSecond;
     context.exposureSeconds = draft.stage.exposureSeconds;
     context.targetStart = draft.stage.bodies[draft.targets.front()].path(0.0);
     faults = randomFaults(model, context, draws);
-    faults.illumination.lamp = draft.stage.illumination.lamp;
+    faults.illumination.lampPosition = draft.stage.illumination.lampPosition;
   }
   if (draft.adjustFaults) {
     draft.adjustFaults(faults);
@@ -73,20 +73,21 @@ ScenarioRun runOf(ScenarioDraft draft) {
   run.seed = draft.seed;
   run.trueRig = draft.rig;
   run.rig = draft.rig;
-  run.finalDelays.assign(draft.rig.size(), 0.0);
+  run.finalTimeStampDelays.assign(draft.rig.size(), 0.0);
   // What is ideal stays as it was drawn, to the bit.
   if (draft.grade != Grade::Ideal || draft.adjustFaults) {
     RandomDraws errors(draft.seed, draft.name + " calibration");
     const SensingFaults faults = faultsOf(draft);
     for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
       const double end = draft.timeOf(draft.frameCount);
-      run.finalDelays[camera] = end - midExposureTime(faults.cameras.at(camera).timing, end);
+      run.finalTimeStampDelays[camera] =
+          end - midExposureTime(faults.cameras.at(camera).timing, end);
     }
     run.rig = applyFaults(faults, draft, errors);
   }
   for (const std::size_t target : draft.targets) {
     const simulation::StageBody& body = draft.stage.bodies[target];
-    run.targets.push_back(pinkTarget(body.name, draft.radiusKnown ? body.radius : 0.0));
+    run.targets.push_back(pinkTarget(body.name, draft.isRadiusKnown ? body.radius : 0.0));
   }
   run.startCenter = draft.startCenter;
   run.startHalfSize = draft.startHalfSize;
@@ -94,8 +95,8 @@ ScenarioRun runOf(ScenarioDraft draft) {
   run.frameCount = draft.frameCount;
   run.truth = truthOf(draft, run.extents);
   run.events = draft.events;
-  run.equalCandidates = draft.equalCandidates;
-  run.exactSensing = draft.grade == Grade::Ideal && draft.isCalibrationExactWhenIdeal;
+  run.equalCandidateCount = draft.equalCandidateCount;
+  run.isSensingExact = draft.grade == Grade::Ideal && draft.isCalibrationExactWhenIdeal;
   const auto shared = std::make_shared<const ScenarioDraft>(std::move(draft));
   run.frames = [shared](std::int64_t frame) { return frameSetOf(*shared, frame); };
   if (shared->learnTargets) {
@@ -134,7 +135,7 @@ ScenarioDraft wildDraft(const ScenarioRecipe& recipe, std::uint64_t seed, int at
     draft.stage.views.push_back(std::make_shared<const simulation::RoomView>(camera, *room));
   }
   draft.room = room;
-  draft.stage.illumination.lamp = room->lamp();
+  draft.stage.illumination.lampPosition = room->lampPosition();
   draft.stage.floorHeight = floorHeightOf(recipe.furnishing);
   return draft;
 }
@@ -197,7 +198,7 @@ void startNearTruth(ScenarioDraft& draft) {
   constexpr double kOff = 0.05; // meters; chosen: as well as somebody points at a ball
   constexpr double kHalf = 0.1; // meters; chosen: holds the ball wherever in it it is
   const Eigen::Vector3d off =
-      draft.draws.pointInBox(Eigen::Vector3d::Constant(-kOff), Eigen::Vector3d::Constant(kOff));
+      draft.draws.drawPointInBox(Eigen::Vector3d::Constant(-kOff), Eigen::Vector3d::Constant(kOff));
   draft.startCenter = targetTruth(draft.stage.bodies[draft.targets.front()], 0.0).position + off;
   draft.startHalfSize = Eigen::Vector3d::Constant(kHalf);
 }

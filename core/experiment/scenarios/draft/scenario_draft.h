@@ -18,10 +18,10 @@ namespace dewpoint::experiment::scenarios {
 /// Ball radius in most scenarios, meters.
 inline constexpr double kBallRadius = simulation::kDefaultBallRadius;
 
-/// Frame times of a camera. Frame j is taken at `offset` + j / `framesPerSecond` seconds.
+/// Frame times of a camera. Frame j is taken at `offsetSeconds` + j / `framesPerSecond` seconds.
 struct CameraClock {
   double framesPerSecond = simulation::kDefaultFrameRate;
-  double offset = 0.0;
+  double offsetSeconds = 0.0;
 };
 
 /// Draft of a run of a scenario, which the scenario's recipe completes step by step.
@@ -33,7 +33,7 @@ struct ScenarioDraft {
   CameraRig rig; ///< true calibration of the cameras
   simulation::Stage stage = {};
   std::vector<std::size_t> targets = {}; ///< indices of the tracked bodies in Stage::bodies
-  bool radiusKnown = true;               ///< true if methods know the radius of the targets
+  bool isRadiusKnown = true;             ///< true if methods know the radius of the targets
   Eigen::Vector3d startCenter = Eigen::Vector3d::Zero();
   Eigen::Vector3d startHalfSize = Eigen::Vector3d::Zero();
   double framesPerSecond = simulation::kDefaultFrameRate;
@@ -58,8 +58,8 @@ struct ScenarioDraft {
   double pathScale = 1.0;
   /// Scale factor for ball radii, at most 1. It is applied when the scenario is complete.
   double radiusScale = 1.0;
-  /// Number of objects that fit the first target equally well (ScenarioRun::equalCandidates).
-  int equalCandidates = 1;
+  /// Number of objects that fit the first target equally well (ScenarioRun::equalCandidateCount).
+  int equalCandidateCount = 1;
   /// True if calibration and time stamps are exact in grade `ideal`, and methods know this.
   bool isCalibrationExactWhenIdeal = true;
   /// Function that sets what methods know about the targets (ScenarioRun::targets), using the

@@ -6,7 +6,7 @@
 namespace dewpoint::experiment::scenarios {
 
 Eigen::Vector3d LissajousPath::operator()(double time) const {
-  const double angle = kFullTurn * time / period;
+  const double angle = kFullTurn * time / periodSeconds;
   return center + Eigen::Vector3d(extent.x() * std::sin(angle + phase.x()),
                                   extent.y() * std::sin(2.0 * angle + phase.y()),
                                   extent.z() * std::sin(3.0 * angle + phase.z()));
@@ -98,10 +98,11 @@ std::optional<LissajousPath> randomDeskPath(ScenarioDraft& draft, bool fast, dou
   RandomDraws& draws = draft.draws;
   for (int i = 0; i < kMaxDrawAttempts; ++i) {
     LissajousPath path;
-    path.center = draws.pointInBox(kPathLow, kPathHigh);
-    path.extent = draft.pathScale * draws.uniform(0.8, 1.1) * kExtent;
-    path.phase = draws.pointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
-    path.period = fast ? kFastPathPeriod : kSlowPathPeriod;
+    path.center = draws.drawPointInBox(kPathLow, kPathHigh);
+    path.extent = draft.pathScale * draws.drawUniform(0.8, 1.1) * kExtent;
+    path.phase =
+        draws.drawPointInBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
+    path.periodSeconds = fast ? kFastPathPeriod : kSlowPathPeriod;
     if (staysVisible(draft, path, radius)) {
       return path;
     }

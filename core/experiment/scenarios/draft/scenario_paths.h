@@ -29,13 +29,14 @@ inline constexpr double kSlowPathPeriod = 6.0;
 inline constexpr double kFastPathPeriod = 1.2;
 
 /// Closed path. Each coordinate k (1: x, 2: y, 3: z) is center[k] + extent[k] * sin(k a +
-/// phase[k]), where the angle a = 2 pi time / period. One round takes `period` seconds.
+/// phase[k]), where the angle a = 2 pi time / periodSeconds. One round takes `periodSeconds`
+/// seconds.
 struct LissajousPath {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< center of the path, meters
   /// Half of the path's extent along each axis, meters.
   Eigen::Vector3d extent = Eigen::Vector3d::Zero();
   Eigen::Vector3d phase = Eigen::Vector3d::Zero(); ///< phase of each coordinate at time 0, radians
-  double period = kSlowPathPeriod;                 ///< duration of one round, seconds
+  double periodSeconds = kSlowPathPeriod;          ///< duration of one round, seconds
   Eigen::Vector3d operator()(double time) const;
 };
 

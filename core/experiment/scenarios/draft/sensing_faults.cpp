@@ -26,7 +26,8 @@ simulation::GainCurve gainsOf(const ScenarioDraft& draft, std::size_t camera,
 
 bool isUneven(const CameraFaults& faults) {
   const UnevenLight& light = faults.unevenLight;
-  return light.vignette != 0.0 || light.gainToRight != 0.0 || light.gainToBottom != 0.0;
+  return light.vignette != 0.0 || light.lightGainTowardRight != 0.0 ||
+         light.lightGainTowardBottom != 0.0;
 }
 
 void addUnevenLight(const SensingFaults& faults, simulation::Stage& stage) {
@@ -37,29 +38,29 @@ void addUnevenLight(const SensingFaults& faults, simulation::Stage& stage) {
   for (std::size_t camera = 0; camera < faults.cameras.size(); ++camera) {
     const simulation::RoomView& view = *stage.views[camera];
     const UnevenLight& light = faults.cameras[camera].unevenLight;
-    stage.illuminationGains.push_back(simulation::unevenLight(
-        {view.width, view.height}, light.vignette, light.gainToRight, light.gainToBottom));
+    stage.illuminationGains.push_back(
+        simulation::unevenLightGains({view.width, view.height}, light.vignette, light.lightGainTowardRight, light.lightGainTowardBottom));
   }
 }
 
 } // namespace
 
-Camera miscalibrated(Camera camera, const CalibrationError& error, RandomDraws& draws) {
+Camera withCalibrationError(Camera camera, const CalibrationError& error, RandomDraws& draws) {
   if (error == CalibrationError{}) {
     return camera;
   }
-  const double focal = 1.0 + draws.normal(error.relativeFocalLength);
+  const double focal = 1.0 + draws.drawNormal(error.relativeFocalLength);
   camera.intrinsics.focalX *= focal;
   camera.intrinsics.focalY *= focal;
-  const double x = draws.normal(error.position);
-  const double y = draws.normal(error.position);
-  const double z = draws.normal(error.position);
+  const double x = draws.drawNormal(error.positionMeters);
+  const double y = draws.drawNormal(error.positionMeters);
+  const double z = draws.drawNormal(error.positionMeters);
   const Eigen::Vector3d position = camera.center() + Eigen::Vector3d(x, y, z);
-  const double angle = draws.normal(error.rotation);
-  const Eigen::AngleAxisd rotation(angle, draws.direction());
+  const double angle = draws.drawNormal(error.rotationRadians);
+  const Eigen::AngleAxisd rotation(angle, draws.drawDirection());
   camera.cameraFromWorld.linear() = rotation * camera.cameraFromWorld.linear();
   camera.cameraFromWorld.translation() = -(camera.cameraFromWorld.linear() * position);
-  camera.distortion[0] += draws.normal(error.radialDistortion);
+  camera.distortion[0] += draws.drawNormal(error.radialDistortion);
   return camera;
 }
 
@@ -84,12 +85,12 @@ CameraRig applyFaults(const SensingFaults& faults, ScenarioDraft& draft, RandomD
   for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
     const CameraFaults& own = faults.cameras.at(camera);
     simulation::SensorModel sensor = own.sensor;
-    if (own.automaticGain && sensor.gains.gainPerFrame.empty()) {
-      sensor.gains = gainsOf(draft, camera, *own.automaticGain);
+    if (own.automaticGain && sensor.gainCurve.gainPerFrame.empty()) {
+      sensor.gainCurve = gainsOf(draft, camera, *own.automaticGain);
     }
     draft.stage.sensors.push_back(std::move(sensor));
     draft.timings.push_back(own.timing);
-    believed.push_back(miscalibrated(draft.rig[camera], own.calibration, draws));
+    believed.push_back(withCalibrationError(draft.rig[camera], own.calibration, draws));
   }
   return believed;
 }

@@ -16,21 +16,23 @@ namespace dewpoint::experiment::scenarios {
 /// Standard deviations of the errors in the calibration that methods receive.
 struct CalibrationError {
   double relativeFocalLength = 0.0; ///< relative error of the focal length
-  double position = 0.0;            ///< error of the position per axis, meters
-  double rotation = 0.0;            ///< rotation error about a random axis, radians
+  double positionMeters = 0.0;      ///< error of the position per axis, meters
+  double rotationRadians = 0.0;     ///< rotation error about a random axis, radians
   double radialDistortion = 0.0;    ///< error of the first radial distortion coefficient
   bool operator==(const CalibrationError&) const = default;
 };
 
 /// Returns the calibration of a camera that methods receive: the true calibration with random
 /// errors.
-Camera miscalibrated(Camera camera, const CalibrationError& error, RandomDraws& draws);
+Camera withCalibrationError(Camera camera, const CalibrationError& error, RandomDraws& draws);
 
 /// Uneven light over an image, as fractions of the light in the center.
 struct UnevenLight {
-  double vignette = 0.0;     ///< fraction of light lost in the corners
-  double gainToRight = 0.0;  ///< fraction of light gained from the center to the right border
-  double gainToBottom = 0.0; ///< fraction of light gained from the center to the lower border
+  double vignette = 0.0; ///< fraction of light lost in the corners
+  double lightGainTowardRight =
+      0.0; ///< fraction of light gained from the center to the right border
+  double lightGainTowardBottom =
+      0.0; ///< fraction of light gained from the center to the lower border
 };
 
 /// Faults of one camera.

@@ -30,8 +30,8 @@ constexpr double kBodyRadius = 0.25; ///< of the circle on the floor that somebo
 
 /// A point in the middle of the office.
 Vector2d drawPoint(RandomDraws& draws) {
-  const double x = draws.uniform(-1.5, 1.5);
-  return {x, draws.uniform(-2.3, 2.3)};
+  const double x = draws.drawUniform(-1.5, 1.5);
+  return {x, draws.drawUniform(-2.3, 2.3)};
 }
 
 bool isWalkableLine(const Vector2d& from, const Vector2d& to) {
@@ -60,8 +60,8 @@ Vector2d drawReachable(const Vector2d& from, double angle, RandomDraws& draws) {
   constexpr double kSpread = 1.2; // radians to either side
   Vector2d next = from;
   for (int k = 0; k <= kTries && (k == 0 || !isWalkableLine(from, next)); ++k) {
-    const double distance = draws.uniform(1.0, 1.5);
-    next = from + distance * headingVector(angle + draws.uniform(-kSpread, kSpread));
+    const double distance = draws.drawUniform(1.0, 1.5);
+    next = from + distance * headingVector(angle + draws.drawUniform(-kSpread, kSpread));
   }
   return next;
 }
@@ -95,7 +95,7 @@ bool keepApart(const PeopleScenario& scenario, double least) {
   for (double time = kAppearTime; time < scenario.timeAfterMeeting; time += kCheckStep) {
     for (std::size_t a = 0; a < people.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
-        if ((people[a].position(time) - people[b].position(time)).norm() < least) {
+        if ((people[a].positionAt(time) - people[b].positionAt(time)).norm() < least) {
           return false;
         }
       }
@@ -107,7 +107,7 @@ bool keepApart(const PeopleScenario& scenario, double least) {
 /// Whether somebody keeps off a circle on the floor.
 bool keepsOff(const Walker& walker, const Vector2d& center, double radius, double until) {
   for (double time = kAppearTime; time < until; time += kCheckStep) {
-    if ((walker.position(time) - center).norm() < radius) {
+    if ((walker.positionAt(time) - center).norm() < radius) {
       return false;
     }
   }
@@ -117,8 +117,8 @@ bool keepsOff(const Walker& walker, const Vector2d& center, double radius, doubl
 void addStrolls(PeopleScenario& scenario, int count, RandomDraws& draws) {
   constexpr int kLegs = 2; // straight ways of each
   for (int k = 0; k < count; ++k) {
-    Walker walker = numberedWalker(k + 1);
-    const double pace = draws.uniform(kLeastPace, kMostPace);
+    Walker walker = makeNumberedWalker(k + 1);
+    const double pace = draws.drawUniform(kLeastPace, kMostPace);
     walker.waypoints.push_back({kAppearTime, drawPoint(draws)});
     for (int leg = 0; leg < kLegs; ++leg) {
       const Vector2d next = drawReachable(walker.waypoints.back().position, draws);
@@ -132,9 +132,9 @@ void addStrolls(PeopleScenario& scenario, int count, RandomDraws& draws) {
 
 /// Walks to a point, takes a posture there, rises and walks on.
 Walker pausing(int number, Posture posture, const Vector2d& at, double rest, RandomDraws& draws) {
-  Walker walker = numberedWalker(number);
-  const double pace = draws.uniform(kLeastPace, kMostPace);
-  const double angle = draws.uniform(0.0, kFullTurn); // that the person faces
+  Walker walker = makeNumberedWalker(number);
+  const double pace = draws.drawUniform(kLeastPace, kMostPace);
+  const double angle = draws.drawUniform(0.0, kFullTurn); // that the person faces
   walker.waypoints.push_back({kAppearTime, drawReachable(at, angle + std::numbers::pi, draws)});
   // A moment to stand still before and after: ways have rounded corners.
   constexpr double kStand = 0.3;
@@ -152,10 +152,11 @@ constexpr double kGlide = 1.0; ///< seconds in which furniture is moved
 void addMoved(PeopleScenario& scenario, MovableFurniture furniture, double since,
               RandomDraws& draws) {
   const Vector2d from = drawPoint(draws);
-  const double yaw = draws.uniform(0.0, kFullTurn);
-  const double distance = draws.uniform(0.8, 1.5);
-  const Vector2d to = from + distance * headingVector(draws.uniform(0.0, kFullTurn));
-  furniture.waypoints = {{since, from, yaw}, {since + kGlide, to, yaw + draws.uniform(-0.8, 0.8)}};
+  const double yaw = draws.drawUniform(0.0, kFullTurn);
+  const double distance = draws.drawUniform(0.8, 1.5);
+  const Vector2d to = from + distance * headingVector(draws.drawUniform(0.0, kFullTurn));
+  furniture.waypoints = {{since, from, yaw},
+                         {since + kGlide, to, yaw + draws.drawUniform(-0.8, 0.8)}};
   scenario.scene.furniture.push_back(std::move(furniture));
 }
 
@@ -174,7 +175,7 @@ void setVariedHeights(PeopleScenario& scenario, PeopleClothes /*clothes*/, Rando
   static constexpr std::array<std::array<double, 2>, 3> kRanges{
       {{0.9, 1.3}, {1.3, 1.6}, {1.88, 2.0}}};
   for (std::size_t k = 0; k < kRanges.size(); ++k) {
-    scenario.scene.people.at(k).height = draws.uniform(kRanges.at(k)[0], kRanges.at(k)[1]);
+    scenario.scene.people.at(k).height = draws.drawUniform(kRanges.at(k)[0], kRanges.at(k)[1]);
   }
 }
 
@@ -184,13 +185,13 @@ void addSittingPeople(PeopleScenario& scenario, RandomDraws& draws) {
   auto& people = scenario.scene.people;
   const Vector2d stool = drawPoint(draws);
   people.push_back(
-      pausing(1, Posture::Sitting, stool, draws.uniform(kLeastRest, kMostRest), draws));
+      pausing(1, Posture::Sitting, stool, draws.drawUniform(kLeastRest, kMostRest), draws));
   const Vector2d floor = drawPoint(draws);
-  people.push_back(
-      pausing(2, Posture::Crouching, floor, draws.uniform(0.5 * kLeastRest, kLeastRest), draws));
-  Walker passer = numberedWalker(3);
+  people.push_back(pausing(2, Posture::Crouching, floor,
+                           draws.drawUniform(0.5 * kLeastRest, kLeastRest), draws));
+  Walker passer = makeNumberedWalker(3);
   passer.waypoints.push_back({kAppearTime, drawPoint(draws)});
-  const double pace = draws.uniform(kLeastPace, kMostPace);
+  const double pace = draws.drawUniform(kLeastPace, kMostPace);
   walkTo(passer, drawReachable(passer.waypoints.back().position, draws), pace);
   walkTo(passer, drawReachable(passer.waypoints.back().position, draws), pace);
   people.push_back(std::move(passer));
@@ -220,7 +221,7 @@ void addCarriedObjects(PeopleScenario& scenario, PeopleClothes /*clothes*/, Rand
   using simulation::CarriedObject;
   CarriedObject box;
   const auto half = [&](double least, double most) {
-    return static_cast<float>(0.5 * draws.uniform(least, most));
+    return static_cast<float>(0.5 * draws.drawUniform(least, most));
   };
   const float boxDepth = half(0.25, 0.4);
   const float boxWidth = half(0.3, 0.5);
@@ -238,14 +239,14 @@ void addCrowd(PeopleScenario& scenario, RandomDraws& draws) {
   constexpr int kFewest = 5; // people; chosen: as many as find room to walk in the office
   constexpr int kMost = 8;
   constexpr double kMillSeconds = 12.0;
-  const int count = draws.integer(kFewest, kMost);
+  const int count = draws.drawInteger(kFewest, kMost);
   for (int k = 0; k < count; ++k) {
-    Walker walker = numberedWalker(k + 1);
-    const double pace = draws.uniform(kLeastPace, kMostPace);
+    Walker walker = makeNumberedWalker(k + 1);
+    const double pace = draws.drawUniform(kLeastPace, kMostPace);
     walker.waypoints.push_back({kAppearTime, drawPoint(draws)});
     while (walker.waypoints.back().time < kAppearTime + kMillSeconds) {
       walkTo(walker, drawReachable(walker.waypoints.back().position, draws), pace);
-      stay(walker, draws.uniform(0.2, 1.0));
+      stay(walker, draws.drawUniform(0.2, 1.0));
     }
     scenario.scene.people.push_back(std::move(walker));
   }
@@ -268,22 +269,22 @@ bool isCrowdPossible(const PeopleScenario& scenario) {
 
 void setCrowdHeights(PeopleScenario& scenario, PeopleClothes /*clothes*/, RandomDraws& draws) {
   for (Walker& person : scenario.scene.people) {
-    person.height = draws.uniform(1.5, 2.0); // adults
+    person.height = draws.drawUniform(1.5, 2.0); // adults
   }
 }
 
 void keepTwoCameras(PeopleScenario& scenario, PeopleClothes /*clothes*/, RandomDraws& draws) {
   CameraRig& rig = scenario.scene.cameras;
   const auto last = static_cast<int>(rig.size()) - 1;
-  const int one = draws.integer(0, last);
-  const int other = (one + draws.integer(1, last)) % (last + 1);
+  const int one = draws.drawInteger(0, last);
+  const int other = (one + draws.drawInteger(1, last)) % (last + 1);
   rig = {rig[static_cast<std::size_t>(std::min(one, other))],
          rig[static_cast<std::size_t>(std::max(one, other))]};
 }
 
 void addPeopleAndMovedFurniture(PeopleScenario& scenario, RandomDraws& draws) {
   addStrolls(scenario, 2, draws);
-  const double since = kAppearTime + draws.uniform(0.8, 1.8);
+  const double since = kAppearTime + draws.drawUniform(0.8, 1.8);
   addMoved(scenario, simulation::makeCabinet({0.25F, 0.2F, 0.45F}, rgb(120, 96, 78)), since, draws);
   addMoved(scenario, simulation::makeStool(simulation::seatHeight(simulation::kReferenceHeight)),
            since, draws);

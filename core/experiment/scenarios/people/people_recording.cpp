@@ -41,15 +41,15 @@ scenarios::SensingFaults officeFaults(const ScenarioDraft& draft,
   const scenarios::GradeModel& model = scenarios::gradeModel(draft.grade);
   RandomDraws draws(draft.seed, draft.name + " " + model.name);
   scenarios::FaultContext context;
-  context.cameras = draft.rig.size();
-  context.seconds = draft.timeOf(draft.frameCount);
+  context.cameraCount = draft.rig.size();
+  context.durationSeconds = draft.timeOf(draft.frameCount);
   context.framesPerSecond = draft.framesPerSecond;
   context.targetStart = kOfficeMiddle;
   context.lampDistance = kOfficeLampDistance;
   scenarios::SensingFaults faults = scenarios::randomFaults(model, context, draws);
-  faults.illumination.lamp = lamp;
+  faults.illumination.lampPosition = lamp;
   for (scenarios::CameraFaults& camera : faults.cameras) {
-    camera.calibration.position *= kDesksAcross;
+    camera.calibration.positionMeters *= kDesksAcross;
   }
   return faults;
 }
@@ -60,20 +60,20 @@ simulation::Vector3f placeCameras(const std::string& name, PeopleRecording& reco
   OfficeScene& scene = recording.scene;
   if (recording.grade == Grade::Wild) {
     RandomDraws draws(scene.seed, name + " office");
-    WildOffice office = wildOffice(scene, draws);
+    WildOffice office = makeWildOffice(scene, draws);
     scenarios::setRandomLenses(recording.grade, office.rig, draws);
     scene.cameras = office.rig;
     const simulation::Room room(simulation::Furnishing::Office, office.design);
     for (const Camera& camera : scene.cameras) {
       // Not from the cache: no other scene has these views.
-      recording.views.push_back(std::make_shared<const simulation::RoomView>(camera, room));
+      recording.roomViews.push_back(std::make_shared<const simulation::RoomView>(camera, room));
     }
-    return room.lamp();
+    return room.lampPosition();
   }
   RandomDraws lenses(scene.seed, name + " lenses");
   scenarios::setRandomLenses(recording.grade, scene.cameras, lenses);
   for (const Camera& camera : scene.cameras) {
-    recording.views.push_back(views.view(camera, simulation::Furnishing::Office));
+    recording.roomViews.push_back(views.view(camera, simulation::Furnishing::Office));
   }
   return simulation::kOfficeLampPosition;
 }
@@ -85,10 +85,10 @@ ScenarioDraft draftOf(const std::string& name, const PeopleRecording& recording)
   draft.framesPerSecond = scene.framesPerSecond;
   draft.frameCount = scene.frameCount;
   draft.stage.seed = derivedSeed(scene.seed, hashOf(name) ^ kOfficeNoisePart);
-  draft.stage.views = recording.views;
+  draft.stage.views = recording.roomViews;
   draft.stage.people = scene.people;
   draft.stage.furniture = scene.furniture;
-  draft.stage.arePeopleExposed = true;
+  draft.stage.arePeopleMainSubject = true;
   return draft;
 }
 
@@ -104,7 +104,8 @@ PeopleRecording recordPeople(const std::string& name, OfficeScene scene, Grade g
   recording.rig = recording.scene.cameras;
   if (grade == Grade::Ideal) {
     // As it was drawn, to the bit.
-    const auto renderer = std::make_shared<const OfficeRenderer>(recording.scene, recording.views);
+    const auto renderer =
+        std::make_shared<const OfficeRenderer>(recording.scene, recording.roomViews);
     recording.frames = [renderer](std::int64_t frame) { return idealFrames(*renderer, frame); };
     return recording;
   }

@@ -22,7 +22,7 @@ struct PeopleRecording {
   OfficeScene scene; ///< scene, with the true calibration of the cameras
   CameraRig rig;     ///< calibration that methods receive
   /// Views of the room at rest from the true cameras.
-  std::vector<std::shared_ptr<const simulation::RoomView>> views;
+  std::vector<std::shared_ptr<const simulation::RoomView>> roomViews;
   /// Returns the images of frame k as they arrive: delayed, with errors in the time stamps, and
   /// null where a frame is dropped. This is a pure function.
   std::function<FrameSetPtr(std::int64_t)> frames;
@@ -31,8 +31,8 @@ struct PeopleRecording {
 /// Records a scene with people in a grade (level of realism). Grade `Ideal` leaves the scene
 /// unchanged. `Room` and `Wild` add faults of images, time stamps and calibration (see GradeModel),
 /// drawn from the scene's seed and the scenario's `name`. `Wild` also mounts the cameras elsewhere
-/// and changes the room (see wildOffice()). The background images have the same faults as all other
-/// images. `Real` is not allowed.
+/// and changes the room (see makeWildOffice()). The background images have the same faults as all
+/// other images. `Real` is not allowed.
 PeopleRecording recordPeople(const std::string& name, OfficeScene scene, Grade grade,
                              simulation::ViewCache& views);
 

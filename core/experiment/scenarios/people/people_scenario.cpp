@@ -47,7 +47,7 @@ bool visitPossible(const PeopleScenario& scenario) {
   for (double time = 0.0; time < scenario.timeAfterMeeting; time += kCheckEvery) {
     for (std::size_t a = 0; a < people.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
-        if ((people[a].position(time) - people[b].position(time)).norm() < kCrossing.low) {
+        if ((people[a].positionAt(time) - people[b].positionAt(time)).norm() < kCrossing.low) {
           return false;
         }
       }

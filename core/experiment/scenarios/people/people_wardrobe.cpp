@@ -31,7 +31,7 @@ Vector3f colorOf(double hue, double saturation, double value) {
 Vector3f drawTrousers(RandomDraws& draws) {
   static const std::array<Vector3f, 4> kUsual{rgb(58, 62, 84), rgb(70, 66, 62), rgb(104, 92, 74),
                                               rgb(132, 122, 106)};
-  return kUsual.at(static_cast<std::size_t>(draws.uniform(0.0, 4.0)));
+  return kUsual.at(static_cast<std::size_t>(draws.drawUniform(0.0, 4.0)));
 }
 
 /// Colors of the office in full light: walls, white and gray furniture, oak, partition, sofa,
@@ -41,7 +41,7 @@ Vector3f drawRoomColor(RandomDraws& draws) {
       rgb(226, 219, 203), rgb(214, 212, 206), rgb(148, 152, 158), rgb(186, 138, 88),
       rgb(112, 132, 150), rgb(74, 98, 128),   rgb(82, 73, 60)};
   const auto last = static_cast<int>(kRoom.size()) - 1;
-  return kRoom.at(static_cast<std::size_t>(draws.integer(0, last)));
+  return kRoom.at(static_cast<std::size_t>(draws.drawInteger(0, last)));
 }
 
 Vector3f drawOtherRoomColor(const Vector3f& than, RandomDraws& draws) {
@@ -55,19 +55,19 @@ Vector3f drawOtherRoomColor(const Vector3f& than, RandomDraws& draws) {
 } // namespace
 
 void dress(std::vector<Walker>& people, PeopleClothes clothes, RandomDraws& draws) {
-  double hue = draws.uniform(0.0, 360.0);
-  const double saturation = draws.uniform(0.5, 0.75);
-  const double value = draws.uniform(0.5, 0.8);
+  double hue = draws.drawUniform(0.0, 360.0);
+  const double saturation = draws.drawUniform(0.5, 0.75);
+  const double value = draws.drawUniform(0.5, 0.8);
   const Vector3f trousers = drawTrousers(draws);
   for (Walker& person : people) {
-    person.height = draws.uniform(kLeastAdult, kMostAdult);
+    person.height = draws.drawUniform(kLeastAdult, kMostAdult);
     if (clothes == PeopleClothes::Different) {
       person.clothes.shirt = colorOf(hue, saturation, value);
       person.clothes.trousers = drawTrousers(draws);
-      hue = std::fmod(hue + draws.uniform(100.0, 140.0), 360.0);
+      hue = std::fmod(hue + draws.drawUniform(100.0, 140.0), 360.0);
     } else {
-      person.clothes.shirt = colorOf(std::fmod(hue + draws.uniform(-4.0, 4.0) + 360.0, 360.0),
-                                     saturation, value * draws.uniform(0.97, 1.03));
+      person.clothes.shirt = colorOf(std::fmod(hue + draws.drawUniform(-4.0, 4.0) + 360.0, 360.0),
+                                     saturation, value * draws.drawUniform(0.97, 1.03));
       person.clothes.trousers = trousers;
     }
   }
@@ -93,11 +93,11 @@ void dressInPatterns(PeopleScenario& scenario, PeopleClothes clothes, RandomDraw
   simulation::Cloth cloth;
   for (std::size_t k = 0; k < people.size(); ++k) {
     if (k == 0 || clothes == PeopleClothes::Different) {
-      cloth.pattern = kPatterns.at(static_cast<std::size_t>(draws.integer(0, 2)));
-      const double hue = draws.uniform(0.0, 360.0);
-      const double saturation = draws.uniform(0.0, 0.7);
-      cloth.secondColor = colorOf(hue, saturation, draws.uniform(0.15, 0.95));
-      cloth.patternWidth = static_cast<float>(draws.uniform(0.04, 0.12)); // meters
+      cloth.pattern = kPatterns.at(static_cast<std::size_t>(draws.drawInteger(0, 2)));
+      const double hue = draws.drawUniform(0.0, 360.0);
+      const double saturation = draws.drawUniform(0.0, 0.7);
+      cloth.secondColor = colorOf(hue, saturation, draws.drawUniform(0.15, 0.95));
+      cloth.patternWidth = static_cast<float>(draws.drawUniform(0.04, 0.12)); // meters
     }
     people[k].clothes.shirtCloth = cloth;
   }

@@ -32,7 +32,7 @@ bool isPathFree(const Walker& walker) {
                              [](const Waypoint& point) { return isWalkable(point.position); });
 }
 
-Walker numberedWalker(int number) {
+Walker makeNumberedWalker(int number) {
   Walker walker;
   walker.name = fmt::format("person {}", number);
   walker.presentFrom = kAppearTime;
@@ -43,15 +43,17 @@ void addCrossingPeople(PeopleScenario& scenario, const GapRange& gapRange, Rando
   constexpr double kHalf =
       2.1; // seconds from the beginning to the nearest point; chosen: 2 m of way
   const double nearest = kAppearTime + kHalf;
-  const Vector2d middle(draws.uniform(-0.4, 0.4), draws.uniform(-0.4, 0.4));
-  const double angle = draws.uniform(0.0, kFullTurn);
-  const double turn = draws.uniform(1.2, std::numbers::pi);
-  const std::array<Vector2d, 2> velocity{draws.uniform(0.85, 1.1) * headingVector(angle),
-                                         draws.uniform(0.85, 1.1) * headingVector(angle + turn)};
+  const Vector2d middle(draws.drawUniform(-0.4, 0.4), draws.drawUniform(-0.4, 0.4));
+  const double angle = draws.drawUniform(0.0, kFullTurn);
+  const double turn = draws.drawUniform(1.2, std::numbers::pi);
+  const std::array<Vector2d, 2> velocity{draws.drawUniform(0.85, 1.1) * headingVector(angle),
+                                         draws.drawUniform(0.85, 1.1) *
+                                             headingVector(angle + turn)};
   const Vector2d along = (velocity[1] - velocity[0]).normalized();
-  const Vector2d gap = draws.uniform(gapRange.low, gapRange.high) * Vector2d(-along.y(), along.x());
+  const Vector2d gap =
+      draws.drawUniform(gapRange.low, gapRange.high) * Vector2d(-along.y(), along.x());
   for (int k = 0; k < 2; ++k) {
-    Walker walker = numberedWalker(k + 1);
+    Walker walker = makeNumberedWalker(k + 1);
     const Vector2d position = middle + (k == 0 ? -0.5 : 0.5) * gap;
     const Vector2d& pace = velocity.at(static_cast<std::size_t>(k));
     walker.waypoints = {{kAppearTime, position - kHalf * pace},
@@ -63,17 +65,17 @@ void addCrossingPeople(PeopleScenario& scenario, const GapRange& gapRange, Rando
 }
 
 void addMeetingPeople(PeopleScenario& scenario, const GapRange& gapRange, RandomDraws& draws) {
-  const Vector2d middle(draws.uniform(-0.4, 0.4), draws.uniform(-0.4, 0.4));
-  const Vector2d line = headingVector(draws.uniform(0.0, kFullTurn));
-  const double gap = draws.uniform(gapRange.low, gapRange.high);
-  const double stay = draws.uniform(1.0, 2.0);
-  const double reach = draws.uniform(1.6, 1.9);
-  const double arrive = kAppearTime + reach / draws.uniform(0.9, 1.1);
+  const Vector2d middle(draws.drawUniform(-0.4, 0.4), draws.drawUniform(-0.4, 0.4));
+  const Vector2d line = headingVector(draws.drawUniform(0.0, kFullTurn));
+  const double gap = draws.drawUniform(gapRange.low, gapRange.high);
+  const double stay = draws.drawUniform(1.0, 2.0);
+  const double reach = draws.drawUniform(1.6, 1.9);
+  const double arrive = kAppearTime + reach / draws.drawUniform(0.9, 1.1);
   for (int k = 0; k < 2; ++k) {
-    Walker walker = numberedWalker(k + 1);
+    Walker walker = makeNumberedWalker(k + 1);
     const Vector2d way = (k == 0 ? -1.0 : 1.0) * line;
     // Not quite the way they came.
-    const double aside = draws.uniform(-0.4, 0.4);
+    const double aside = draws.drawUniform(-0.4, 0.4);
     const Vector2d back = reach * (way + aside * Vector2d(-way.y(), way.x()));
     walker.waypoints = {{kAppearTime, middle + reach * way},
                         {arrive, middle + 0.5 * gap * way},
@@ -86,19 +88,19 @@ void addMeetingPeople(PeopleScenario& scenario, const GapRange& gapRange, Random
 }
 
 void addAccompanyingPeople(PeopleScenario& scenario, RandomDraws& draws) {
-  const Vector2d middle(draws.uniform(-0.3, 0.3), draws.uniform(-0.3, 0.3));
-  const Vector2d along = headingVector(draws.uniform(0.0, kFullTurn));
+  const Vector2d middle(draws.drawUniform(-0.3, 0.3), draws.drawUniform(-0.3, 0.3));
+  const Vector2d along = headingVector(draws.drawUniform(0.0, kFullTurn));
   const Vector2d aside(-along.y(), along.x());
-  const double gap = draws.uniform(0.5, 0.62);
-  const double pace = draws.uniform(0.75, 0.95);
+  const double gap = draws.drawUniform(0.5, 0.62);
+  const double pace = draws.drawUniform(0.75, 0.95);
   const double together = 1.3; // meters before and after the middle
   const double join = kAppearTime + 1.2;
   const double part = join + 2.0 * together / pace;
   for (int k = 0; k < 2; ++k) {
-    Walker walker = numberedWalker(k + 1);
+    Walker walker = makeNumberedWalker(k + 1);
     const double side = k == 0 ? -1.0 : 1.0;
     const Vector2d near = 0.5 * side * gap * aside;
-    const Vector2d far = draws.uniform(0.9, 1.2) * side * aside;
+    const Vector2d far = draws.drawUniform(0.9, 1.2) * side * aside;
     walker.waypoints = {{kAppearTime, middle - (together + 0.5) * along + far},
                         {join, middle - together * along + near},
                         {part, middle + together * along + near},
@@ -111,11 +113,11 @@ void addAccompanyingPeople(PeopleScenario& scenario, RandomDraws& draws) {
 
 void addDistantPeople(PeopleScenario& scenario, RandomDraws& draws) {
   for (int k = 0; k < 2; ++k) {
-    Walker walker = numberedWalker(k + 1);
+    Walker walker = makeNumberedWalker(k + 1);
     const double side = k == 0 ? -1.0 : 1.0;
     walker.waypoints = {
-        {kAppearTime, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}},
-        {kAppearTime + 4.0, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}}};
+        {kAppearTime, {draws.drawUniform(-1.2, 1.2), side * draws.drawUniform(1.2, 1.6)}},
+        {kAppearTime + 4.0, {draws.drawUniform(-1.2, 1.2), side * draws.drawUniform(1.2, 1.6)}}};
     scenario.scene.people.push_back(walker);
   }
   scenario.timeBeforeMeeting = kAppearTime + 1.0;
@@ -130,14 +132,15 @@ void addVisitors(PeopleScenario& scenario, RandomDraws& draws) {
        {Vector2d(0.05, 4.2), Vector2d(0.1, 2.2)},
        {Vector2d(0.6, -4.2), Vector2d(0.5, -2.2)}}};
   double start = kAppearTime;
-  std::size_t door = static_cast<std::size_t>(draws.uniform(0.0, 4.0));
+  std::size_t door = static_cast<std::size_t>(draws.drawUniform(0.0, 4.0));
   for (int k = 0; k < 3; ++k) {
-    Walker walker = numberedWalker(k + 1);
+    Walker walker = makeNumberedWalker(k + 1);
     walker.presentFrom = -1.0;
     const auto& in = kDoors.at(door % 4);
-    const auto& out = kDoors.at((door + 1 + static_cast<std::size_t>(draws.uniform(0.0, 3.0))) % 4);
-    const double pace = draws.uniform(0.9, 1.2);
-    const Vector2d inside(draws.uniform(-0.9, 0.9), draws.uniform(-0.9, 0.9));
+    const auto& out =
+        kDoors.at((door + 1 + static_cast<std::size_t>(draws.drawUniform(0.0, 3.0))) % 4);
+    const double pace = draws.drawUniform(0.9, 1.2);
+    const Vector2d inside(draws.drawUniform(-0.9, 0.9), draws.drawUniform(-0.9, 0.9));
     double time = start;
     walker.waypoints.push_back({time, in[0]});
     for (const Vector2d& position : {in[1], inside, out[1], out[0]}) {
@@ -146,7 +149,7 @@ void addVisitors(PeopleScenario& scenario, RandomDraws& draws) {
     }
     scenario.timeAfterMeeting = std::max(scenario.timeAfterMeeting, time + 1.5);
     scenario.scene.people.push_back(walker);
-    start += draws.uniform(2.0, 3.0);
+    start += draws.drawUniform(2.0, 3.0);
     door += 1;
   }
   scenario.timeBeforeMeeting = 0.0;

@@ -28,7 +28,7 @@ bool isWalkable(const Eigen::Vector2d& position);
 bool isPathFree(const simulation::Walker& walker);
 
 /// Creates the walker "person N", who is present from kAppearTime on.
-simulation::Walker numberedWalker(int number);
+simulation::Walker makeNumberedWalker(int number);
 
 // Each of the following functions adds people with their paths, and sets the times at which
 // identities are assessed.

@@ -33,26 +33,26 @@ Camera putUpElsewhere(Camera camera, RandomDraws& draws) {
   constexpr double kLongest = 1.15;   // 62 degrees
   Eigen::Vector3d center = camera.center();
   for (int axis = 0; axis < 2; ++axis) {
-    center[axis] = std::clamp(center[axis] + draws.uniform(-kMovedAside, kMovedAside), -kMostAside,
-                              kMostAside);
+    center[axis] = std::clamp(center[axis] + draws.drawUniform(-kMovedAside, kMovedAside),
+                              -kMostAside, kMostAside);
   }
-  center.z() = draws.uniform(kLowest, kHighest);
+  center.z() = draws.drawUniform(kLowest, kHighest);
   const Eigen::Vector3d aim = Eigen::Vector3d::Constant(kAim);
-  const Eigen::Vector3d target = Eigen::Vector3d(0.0, 0.0, 0.8) + draws.pointInBox(-aim, aim);
+  const Eigen::Vector3d target = Eigen::Vector3d(0.0, 0.0, 0.8) + draws.drawPointInBox(-aim, aim);
   camera.cameraFromWorld =
-      lookAt(center, target, Eigen::Vector3d::UnitZ(), draws.uniform(-kRoll, kRoll));
-  const double focal = draws.uniform(kShortest, kLongest);
+      lookAt(center, target, Eigen::Vector3d::UnitZ(), draws.drawUniform(-kRoll, kRoll));
+  const double focal = draws.drawUniform(kShortest, kLongest);
   camera.intrinsics.focalX *= focal;
   camera.intrinsics.focalY *= focal;
   return camera;
 }
 
 Vector3f drawPosterColor(const OfficeScene& scene, RandomDraws& draws) {
-  const bool shirt = draws.uniform(0.0, 1.0) < kLikeAShirt;
-  const Eigen::Vector3d other = draws.pointInBox(Eigen::Vector3d::Constant(kDarkestPoster),
-                                                 Eigen::Vector3d::Constant(kLightest));
+  const bool shirt = draws.drawUniform(0.0, 1.0) < kLikeAShirt;
+  const Eigen::Vector3d other = draws.drawPointInBox(Eigen::Vector3d::Constant(kDarkestPoster),
+                                                     Eigen::Vector3d::Constant(kLightest));
   if (shirt && !scene.people.empty()) {
-    const int who = draws.integer(0, static_cast<int>(scene.people.size()) - 1);
+    const int who = draws.drawInteger(0, static_cast<int>(scene.people.size()) - 1);
     return scene.people[static_cast<std::size_t>(who)].clothes.shirt;
   }
   return other.cast<float>();
@@ -64,10 +64,10 @@ void hangPosters(const OfficeScene& scene, RandomDraws& draws, simulation::Furni
   constexpr float kThick = 0.01F;  // half of it
   for (const bool alongX : {true, false}) {
     for (const float side : {-1.0F, 1.0F}) {
-      const auto along = static_cast<float>(draws.uniform(-2.0, 2.0));
-      const auto up = static_cast<float>(draws.uniform(1.2, 1.8));
-      const auto wide = static_cast<float>(draws.uniform(0.2, 0.7));
-      const auto tall = static_cast<float>(draws.uniform(0.2, 0.6));
+      const auto along = static_cast<float>(draws.drawUniform(-2.0, 2.0));
+      const auto up = static_cast<float>(draws.drawUniform(1.2, 1.8));
+      const auto wide = static_cast<float>(draws.drawUniform(0.2, 0.7));
+      const auto tall = static_cast<float>(draws.drawUniform(0.2, 0.6));
       const float wall = side * (simulation::kOfficeHalfSize - kBefore);
       const Material paper{Pattern::Plain, drawPosterColor(scene, draws)};
       if (alongX) {
@@ -81,18 +81,18 @@ void hangPosters(const OfficeScene& scene, RandomDraws& draws, simulation::Furni
 
 } // namespace
 
-WildOffice wildOffice(const OfficeScene& scene, RandomDraws& draws) {
+WildOffice makeWildOffice(const OfficeScene& scene, RandomDraws& draws) {
   WildOffice office;
   for (const Camera& camera : scene.cameras) {
     office.rig.push_back(putUpElsewhere(camera, draws));
   }
   hangPosters(scene, draws, office.design.additionalFurniture);
-  const Eigen::Vector3d paint = draws.pointInBox(Eigen::Vector3d::Constant(kDarkestPaint),
-                                                 Eigen::Vector3d::Constant(kLightest));
+  const Eigen::Vector3d paint = draws.drawPointInBox(Eigen::Vector3d::Constant(kDarkestPaint),
+                                                     Eigen::Vector3d::Constant(kLightest));
   office.design.wallMaterial = Material{Pattern::Plaster, paint.cast<float>()};
   // Above the heads, below the ceiling, over the part of the floor that people walk on.
-  const Eigen::Vector3d lamp = draws.pointInBox({-1.5, -1.5, 2.3}, {1.5, 1.5, 2.6});
-  office.design.lamp = lamp.cast<float>();
+  const Eigen::Vector3d lamp = draws.drawPointInBox({-1.5, -1.5, 2.3}, {1.5, 1.5, 2.6});
+  office.design.lampPosition = lamp.cast<float>();
   return office;
 }
 

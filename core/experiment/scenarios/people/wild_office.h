@@ -21,6 +21,6 @@ struct WildOffice {
 /// - There are posters, some of them in the color of a person's shirt.
 ///
 /// The paths of the people do not change.
-WildOffice wildOffice(const OfficeScene& scene, RandomDraws& draws);
+WildOffice makeWildOffice(const OfficeScene& scene, RandomDraws& draws);
 
 } // namespace dewpoint::experiment

@@ -15,9 +15,10 @@ double eased(double share) {
 } // namespace
 
 Eigen::Vector3d Detour::operator()(double time) const {
-  const double away = eased((time - begin) / reach) * (1.0 - eased((time - holdEnd()) / reach));
-  const double turned = eased((time - holdBegin()) / hold);
-  return base(time) + away * ((1.0 - turned) * out + turned * back);
+  const double away = eased((time - beginTime) / reachSeconds) *
+                      (1.0 - eased((time - holdEndTime()) / reachSeconds));
+  const double turned = eased((time - holdBeginTime()) / holdSeconds);
+  return basePath(time) + away * ((1.0 - turned) * out + turned * back);
 }
 
 Visibility visibilityOf(const simulation::RoomView& view, const Eigen::Vector3d& center,

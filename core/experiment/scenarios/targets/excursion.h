@@ -9,22 +9,22 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Closed path with a temporary detour. At time `begin` (seconds), the ball starts to leave the
-/// path; after `reach` seconds, it has reached the offset `out`. For the next `hold` seconds, its
-/// offset changes to `back`. It then returns to the closed path within `reach` seconds.
+/// Closed path with a temporary detour. At `beginTime` (seconds), the ball starts to leave the
+/// path; after `reachSeconds`, it has reached the offset `out`. For the next `holdSeconds`, its
+/// offset changes to `back`. It then returns to the closed path within `reachSeconds`.
 struct Detour {
-  LissajousPath base;
-  /// Offset from the closed path (`base`) when the ball has moved aside, meters.
+  LissajousPath basePath;
+  /// Offset from the closed path (`basePath`) when the ball has moved aside, meters.
   Eigen::Vector3d out = Eigen::Vector3d::Zero();
-  /// Offset from the closed path (`base`) when the ball starts to return, meters.
+  /// Offset from the closed path (`basePath`) when the ball starts to return, meters.
   Eigen::Vector3d back = Eigen::Vector3d::Zero();
-  double begin = 1.5;
-  double reach = 0.7;
-  double hold = 1.2;
+  double beginTime = 1.5;
+  double reachSeconds = 0.7;
+  double holdSeconds = 1.2;
 
-  double holdBegin() const { return begin + reach; }
-  double holdEnd() const { return begin + reach + hold; }
-  double end() const { return begin + 2.0 * reach + hold; }
+  double holdBeginTime() const { return beginTime + reachSeconds; }
+  double holdEndTime() const { return beginTime + reachSeconds + holdSeconds; }
+  double endTime() const { return beginTime + 2.0 * reachSeconds + holdSeconds; }
   Eigen::Vector3d operator()(double time) const;
 };
 

@@ -26,7 +26,7 @@ enum class BallPattern {
 struct Spin {
   /// Axis of the rotation: unit vector, world frame.
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  double rate = 0.0; ///< rate of the rotation, radians per second
+  double radiansPerSecond = 0.0; ///< rate of the rotation, radians per second
   /// Returns the ball axes in the world frame, as rows, at a time in seconds.
   Eigen::Matrix3f axesAt(double time) const;
 };

@@ -28,12 +28,12 @@ void PiecewisePath::rest(double seconds) {
 }
 
 Eigen::Vector3d PiecewisePath::operator()(double time) const {
-  const auto next = std::ranges::upper_bound(pieces_, time, {}, &Piece::begin);
+  const auto next = std::ranges::upper_bound(pieces_, time, {}, &Piece::beginTime);
   if (next == pieces_.begin()) {
     return pieces_.empty() ? position_ : pieces_.front().position;
   }
   const Piece& piece = *(next - 1);
-  const double since = std::min(time, end_) - piece.begin;
+  const double since = std::min(time, end_) - piece.beginTime;
   return piece.position + since * piece.velocity + 0.5 * since * since * piece.acceleration;
 }
 

@@ -26,7 +26,7 @@ public:
   /// Return the position, the velocity and the time at the current end of the path.
   const Eigen::Vector3d& position() const { return position_; }
   const Eigen::Vector3d& velocity() const { return velocity_; }
-  double end() const { return end_; }
+  double endTime() const { return end_; }
 
   /// Returns the position at a time. Before the start, this is the first position; after the end,
   /// it is the last position.
@@ -34,7 +34,7 @@ public:
 
 private:
   struct Piece {
-    double begin = 0.0;
+    double beginTime = 0.0;
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
     Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();

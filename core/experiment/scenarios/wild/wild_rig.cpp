@@ -64,19 +64,19 @@ Camera movedCamera(Camera camera, const RigVolume& volume, RandomDraws& draws) {
   constexpr double kAway = 0.15;   // of the distance, either way
   constexpr double kAim = 0.02;    // meters at a desk
   constexpr double kHeight = 0.05; // meters at a desk
-  const Eigen::AngleAxisd around(draws.uniform(-kAround, kAround), Eigen::Vector3d::UnitZ());
-  const double scale = draws.uniform(1.0 - kAway, 1.0 + kAway);
+  const Eigen::AngleAxisd around(draws.drawUniform(-kAround, kAround), Eigen::Vector3d::UnitZ());
+  const double scale = draws.drawUniform(1.0 - kAway, 1.0 + kAway);
   Eigen::Vector3d center = volume.middle + scale * (around * (camera.center() - volume.middle));
-  center.z() += volume.size * draws.uniform(-kHeight, kHeight);
+  center.z() += volume.size * draws.drawUniform(-kHeight, kHeight);
   const double reach = volume.size > 1.0 ? kWithinHall : kWithin; // not in a wall
   for (int axis = 0; axis < 2; ++axis) {
     center[axis] = std::clamp(center[axis], volume.room[axis] - reach, volume.room[axis] + reach);
   }
   center.z() = std::max(center.z(), kLeastHeight);
   const Eigen::Vector3d aim = Eigen::Vector3d::Constant(volume.size * kAim);
-  const Eigen::Vector3d target = volume.middle + draws.pointInBox(-aim, aim);
+  const Eigen::Vector3d target = volume.middle + draws.drawPointInBox(-aim, aim);
   camera.cameraFromWorld =
-      lookAt(center, target, Eigen::Vector3d::UnitZ(), draws.uniform(-kRoll, kRoll));
+      lookAt(center, target, Eigen::Vector3d::UnitZ(), draws.drawUniform(-kRoll, kRoll));
   return camera;
 }
 
@@ -104,7 +104,7 @@ WildRig randomRig(const CameraRig& rig, simulation::Furnishing furnishing, int a
   }
   const Intrinsics& first = rig.front().intrinsics;
   const double largest = kLargestTarget * std::min(first.width, first.height);
-  const double wanted = std::exp(draws.uniform(std::log(kSmallestTarget), std::log(largest)));
+  const double wanted = std::exp(draws.drawUniform(std::log(kSmallestTarget), std::log(largest)));
   double factor = wanted / targetPixels(result.rig.front(), volume);
   double resolution = 1.0;
   if (factor < 1.0) {
@@ -118,7 +118,7 @@ WildRig randomRig(const CameraRig& rig, simulation::Furnishing furnishing, int a
   }
   for (Camera& camera : result.rig) {
     setSize(camera.intrinsics, resolution,
-            factor * draws.uniform(1.0 - kLensSpread, 1.0 + kLensSpread));
+            factor * draws.drawUniform(1.0 - kLensSpread, 1.0 + kLensSpread));
   }
   return result;
 }

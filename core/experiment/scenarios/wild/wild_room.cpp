@@ -57,24 +57,24 @@ Ground groundOf(simulation::Furnishing furnishing) {
 }
 
 bool chance(double share, RandomDraws& draws) {
-  return draws.uniform(0.0, 1.0) < share;
+  return draws.drawUniform(0.0, 1.0) < share;
 }
 
 /// BGR: any color, or at times that of the target, or that a little darker.
 Vector3f drawColor(double targetColored, const Eigen::Vector3d& target, RandomDraws& draws) {
   if (chance(targetColored, draws)) {
-    const double tone = draws.uniform(kDarkestTone, 1.0);
+    const double tone = draws.drawUniform(kDarkestTone, 1.0);
     return (tone * target).cast<float>();
   }
-  const Eigen::Vector3d color = draws.pointInBox(Eigen::Vector3d::Constant(kDarkestChannel),
-                                                 Eigen::Vector3d::Constant(kLightestChannel));
+  const Eigen::Vector3d color = draws.drawPointInBox(Eigen::Vector3d::Constant(kDarkestChannel),
+                                                     Eigen::Vector3d::Constant(kLightestChannel));
   return color.cast<float>();
 }
 
 Material drawMaterial(const Eigen::Vector3d& target, RandomDraws& draws) {
   constexpr std::array kPatterns{Pattern::Plain, Pattern::Plain, Pattern::Wood, Pattern::Plaster,
                                  Pattern::Skin};
-  const auto pattern = static_cast<std::size_t>(draws.integer(0, 4));
+  const auto pattern = static_cast<std::size_t>(draws.drawInteger(0, 4));
   return {kPatterns.at(pattern), drawColor(kTargetColored, target, draws)};
 }
 
@@ -82,7 +82,7 @@ Material drawMaterial(const Eigen::Vector3d& target, RandomDraws& draws) {
 std::optional<Eigen::Vector2d> drawSpot(const Ground& ground, const CameraRig& rig,
                                         RandomDraws& draws) {
   const Eigen::Vector3d half{ground.half, ground.half, 0.0};
-  const Eigen::Vector2d spot = ground.middle + draws.pointInBox(-half, half).head<2>();
+  const Eigen::Vector2d spot = ground.middle + draws.drawPointInBox(-half, half).head<2>();
   const auto near = [&](const Camera& camera) {
     return (camera.center().head<2>() - spot).norm() < ground.clear;
   };
@@ -93,15 +93,15 @@ std::optional<Eigen::Vector2d> drawSpot(const Ground& ground, const CameraRig& r
 void addClutter(const Ground& ground, const CameraRig& rig, const Eigen::Vector3d& target,
                 RandomDraws& draws, simulation::Furniture& furniture) {
   constexpr std::array kShapes{Shape::Box, Shape::Ellipsoid, Shape::Cylinder};
-  const int count = draws.integer(kLeastClutter, kMostClutter);
+  const int count = draws.drawInteger(kLeastClutter, kMostClutter);
   for (int i = 0; i < count; ++i) {
     const auto spot = drawSpot(ground, rig, draws);
     const Eigen::Vector3d half =
-        draws.pointInBox(Eigen::Vector3d::Constant(kLeastSize), Eigen::Vector3d::Ones()) *
+        draws.drawPointInBox(Eigen::Vector3d::Constant(kLeastSize), Eigen::Vector3d::Ones()) *
         ground.size;
-    const auto shape = kShapes.at(static_cast<std::size_t>(draws.integer(0, 2)));
+    const auto shape = kShapes.at(static_cast<std::size_t>(draws.drawInteger(0, 2)));
     const Material material = drawMaterial(target, draws);
-    const double yaw = draws.uniform(0.0, kFullTurn);
+    const double yaw = draws.drawUniform(0.0, kFullTurn);
     if (!spot) {
       continue;
     }
@@ -121,10 +121,10 @@ void addPosters(simulation::Furnishing furnishing, const Eigen::Vector3d& target
   const float wall = hall ? simulation::kHallHalfSize
                           : simulation::kDeskRoomCenter + simulation::kDeskRoomHalfSize;
   for (const bool alongX : {true, false}) {
-    const auto along = static_cast<float>(draws.uniform(-1.0, 1.8));
-    const auto up = static_cast<float>(draws.uniform(0.3, 1.3));
-    const auto wide = static_cast<float>(draws.uniform(0.1, 0.5));
-    const auto tall = static_cast<float>(draws.uniform(0.1, 0.4));
+    const auto along = static_cast<float>(draws.drawUniform(-1.0, 1.8));
+    const auto up = static_cast<float>(draws.drawUniform(0.3, 1.3));
+    const auto wide = static_cast<float>(draws.drawUniform(0.1, 0.5));
+    const auto tall = static_cast<float>(draws.drawUniform(0.1, 0.4));
     const Material paper{Pattern::Plain, drawColor(2.0 * kTargetColored, target, draws)};
     if (alongX) {
       furniture.add(Shape::Box, {along, wall - kPosterBefore, up}, {wide, 0.01F, tall}, paper);
@@ -142,17 +142,17 @@ simulation::RoomDesign randomRoom(simulation::Furnishing furnishing, const Camer
   const Ground ground = groundOf(furnishing);
   addClutter(ground, rig, targetColor, draws, design.additionalFurniture);
   addPosters(furnishing, targetColor, draws, design.additionalFurniture);
-  const Eigen::Vector3d paint = draws.pointInBox(Eigen::Vector3d::Constant(kDarkestWall),
-                                                 Eigen::Vector3d::Constant(kLightestChannel));
+  const Eigen::Vector3d paint = draws.drawPointInBox(Eigen::Vector3d::Constant(kDarkestWall),
+                                                     Eigen::Vector3d::Constant(kLightestChannel));
   const Vector3f likeTarget = drawColor(1.0, targetColor, draws);
   const bool pink = chance(kTargetColored, draws);
   design.wallMaterial =
       Material{Pattern::Plaster, pink ? likeTarget : Vector3f(paint.cast<float>())};
   // From the middle of the ground, meters: below the ceilings, above what stands there.
-  const Eigen::Vector3d lamp = draws.pointInBox({-0.8, -0.8, 1.3}, {0.8, 0.8, 1.9});
+  const Eigen::Vector3d lamp = draws.drawPointInBox({-0.8, -0.8, 1.3}, {0.8, 0.8, 1.9});
   const Vector3f middle{static_cast<float>(ground.middle.x()),
                         static_cast<float>(ground.middle.y()), 0.0F};
-  design.lamp = middle + lamp.cast<float>();
+  design.lampPosition = middle + lamp.cast<float>();
   return design;
 }
 
@@ -163,17 +163,17 @@ std::vector<simulation::Walker> randomPeople(simulation::Furnishing furnishing, 
   if (furnishing == simulation::Furnishing::Hall) {
     return people;
   }
-  const int count = draws.integer(0, kMostPeople);
+  const int count = draws.drawInteger(0, kMostPeople);
   for (int i = 0; i < count; ++i) {
     simulation::Walker walker;
     walker.name = fmt::format("passer-by {}", i + 1);
-    walker.height = draws.uniform(1.5, 1.95); // adults, meters
+    walker.height = draws.drawUniform(1.5, 1.95); // adults, meters
     walker.clothes.shirt = drawColor(2.0 * kTargetColored, targetColor, draws);
     walker.clothes.trousers = drawColor(0.0, targetColor, draws);
-    const bool alongX = draws.coinFlip();
+    const bool alongX = draws.flipCoin();
     // Along the wall, meters.
-    const double from = draws.uniform(-1.0, 1.9);
-    const double to = draws.uniform(-1.0, 1.9);
+    const double from = draws.drawUniform(-1.0, 1.9);
+    const double to = draws.drawUniform(-1.0, 1.9);
     const auto at = [&](double along) -> Eigen::Vector2d {
       return alongX ? Eigen::Vector2d(along, kPeopleAway) : Eigen::Vector2d(kPeopleAway, along);
     };

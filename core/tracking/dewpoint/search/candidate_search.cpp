@@ -34,8 +34,8 @@ CandidateSearch::CandidateSearch(const CameraRig& rig) {
   }
 }
 
-std::vector<CandidateSearch::Spot> CandidateSearch::spotsOf(std::size_t camera,
-                                                            const LabelImage& labels) const {
+std::vector<CandidateSearch::Spot> CandidateSearch::findSpots(std::size_t camera,
+                                                              const LabelImage& labels) const {
   // Local maxima of the distance to the nearest pixel of another color are the centers of the
   // largest circles that fit in: one per ball, also where two touch.
   cv::Mat whole;
@@ -95,7 +95,7 @@ std::vector<Candidate> CandidateSearch::find(SphereObservation& observation, boo
     LabelImage& labels = observation.labels(camera);
     if (!labels.empty()) {
       labels.ensureAllLabels();
-      spots[camera] = spotsOf(camera, labels);
+      spots[camera] = findSpots(camera, labels);
     }
   }
   return triangulate(spots, observation, radiusKnown, limit, bounds);

@@ -43,7 +43,7 @@ public:
                               const std::optional<WorldBox>& bounds = std::nullopt) const;
   /// Returns the round spots of the target's color in one camera's image, all pixels of which must
   /// be labeled. This is the first step of find(), which searches whole images.
-  std::vector<Spot> spotsOf(std::size_t camera, const LabelImage& labels) const;
+  std::vector<Spot> findSpots(std::size_t camera, const LabelImage& labels) const;
   /// Returns the candidates that result from combining `spots`, which has one list per camera. This
   /// is the second step of find(), which searches whole images.
   std::vector<Candidate> triangulate(const std::vector<std::vector<Spot>>& spots,

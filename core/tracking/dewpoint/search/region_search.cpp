@@ -97,8 +97,8 @@ std::vector<std::vector<Seen>> regionsOf(RegionObservation& observation) {
     for (const ColorRegion& region : findRegions(view.labels, whole, kLeastArea)) {
       const auto ray = view.unprojector.ray(region.centroid);
       if (ray && all[k].size() < kMostRegions) {
-        all[k].push_back(
-            {*ray, view.projector.focal(), std::sqrt(region.area / std::numbers::pi), region.area});
+        all[k].push_back({*ray, view.projector.focalLength(),
+                          std::sqrt(region.area / std::numbers::pi), region.area});
       }
     }
   }

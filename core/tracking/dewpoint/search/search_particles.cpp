@@ -22,7 +22,7 @@ void moveInto(const std::optional<WorldBox>& bounds, Eigen::ArrayXXd& states) {
 
 void SearchParticles::restart(const SearchPrior& prior, Eigen::Index count, const RandomKey& key,
                               const std::optional<WorldBox>& bounds) {
-  states_ = prior.draw(count, key.stream(RandomPurpose::Start));
+  states_ = prior.drawPositions(count, key.stream(RandomPurpose::Start));
   moveInto(bounds, states_);
   weights_.setConstant(states_.rows(), 1.0 / static_cast<double>(states_.rows()));
 }
@@ -35,8 +35,8 @@ void SearchParticles::update(const SearchPrior& prior, Eigen::Index count, doubl
   }
   const RandomStream stream = key.stream(RandomPurpose::Search);
   Ancestors ancestors;
-  SystematicResampling().ancestors(weights_, states_.rows(),
-                                   key.streamOfPart(RandomPurpose::Resampling, 0), ancestors);
+  SystematicResampling().drawAncestors(weights_, states_.rows(),
+                                       key.streamOfPart(RandomPurpose::Resampling, 0), ancestors);
   states_ = Eigen::ArrayXXd(states_(ancestors, Eigen::all));
   observation.setRadius(radius);
   const IsotropicMotion motion{kSearchMotionSigma};

@@ -37,7 +37,7 @@ void SearchPrior::restart(const StartVolume& start) {
   wasConfirmed_ = false;
 }
 
-void SearchPrior::confirm(const Gaussian3& position) {
+void SearchPrior::confirmPosition(const Gaussian3& position) {
   gaussian_ = position;
   gaussian_.covariance.diagonal().array() += kMinSearchPriorSigma * kMinSearchPriorSigma;
   wasConfirmed_ = true;
@@ -53,12 +53,12 @@ void SearchPrior::widen(double interval, double maxSigma) {
   gaussian_.covariance *= (wider * wider) / (sigma * sigma);
 }
 
-double SearchPrior::birthDensity(const Eigen::Vector3d& position, double searchSize,
+double SearchPrior::birthDensity(const Eigen::Vector3d& position, double searchCubeEdge,
                                  const std::optional<WorldBox>& bounds) const {
   if (bounds && !bounds->contains(position)) {
     return 0.0;
   }
-  const double room = searchSize * searchSize * searchSize;
+  const double room = searchCubeEdge * searchCubeEdge * searchCubeEdge;
   double near = 0.0;
   if (wasConfirmed_) {
     near = std::exp(PreparedGaussian3(gaussian_).logDensity(position));
@@ -73,9 +73,9 @@ double SearchPrior::birthDensity(const Eigen::Vector3d& position, double searchS
   return kSearchPriorShare * near + (1.0 - kSearchPriorShare) / room;
 }
 
-Eigen::ArrayXXd SearchPrior::draw(Eigen::Index count, const RandomStream& stream) const {
+Eigen::ArrayXXd SearchPrior::drawPositions(Eigen::Index count, const RandomStream& stream) const {
   if (!wasConfirmed_) {
-    return drawUniformly(start_, count, stream);
+    return drawUniformPositions(start_, count, stream);
   }
   return PreparedGaussian3(gaussian_).draw(count, stream);
 }

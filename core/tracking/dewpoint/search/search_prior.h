@@ -18,21 +18,21 @@ public:
   /// Discards the last confirmed position; the target is expected in `start` again.
   void restart(const StartVolume& start);
   /// Sets the position confirmed in this frame.
-  void confirm(const Gaussian3& position);
+  void confirmPosition(const Gaussian3& position);
   /// Widens the Gaussian after another `interval` seconds without a confirmed position, up to a
-  /// standard deviation of `maxSigma` meters. Does nothing before the first confirm().
+  /// standard deviation of `maxSigma` meters. Does nothing before the first confirmPosition().
   void widen(double interval, double maxSigma);
 
   /// Returns the probability density (1/m³) that a target appears at `position`. Half of the
-  /// density comes from this prior, and half is uniform in a cube with edges of `searchSize`
+  /// density comes from this prior, and half is uniform in a cube with edges of `searchCubeEdge`
   /// meters. The density is 0 outside the bounds.
-  double birthDensity(const Eigen::Vector3d& position, double searchSize,
+  double birthDensity(const Eigen::Vector3d& position, double searchCubeEdge,
                       const std::optional<WorldBox>& bounds = std::nullopt) const;
   /// Draws `count` positions from the prior: rows of x, y, z. Position i is drawn from element i of
   /// the stream.
-  Eigen::ArrayXXd draw(Eigen::Index count, const RandomStream& stream) const;
-  /// Returns the last confirmed position. Returns nothing before the first confirm(), or after the
-  /// standard deviation has grown beyond 1 m.
+  Eigen::ArrayXXd drawPositions(Eigen::Index count, const RandomStream& stream) const;
+  /// Returns the last confirmed position. Returns nothing before the first confirmPosition(), or
+  /// after the standard deviation has grown beyond 1 m.
   std::optional<Eigen::Vector3d> lastPosition() const;
 
 private:

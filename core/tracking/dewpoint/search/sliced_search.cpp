@@ -39,14 +39,15 @@ bool SlicedSearch::advance(const CandidateSearch& search, TimeBudget& budget, st
     const bool labeled = labelsDone();
     const bool empty = observation_.labels(camera_).empty();
     const bool done =
-        empty ||
-        (labeled
-             ? budget.runIfAffordable(
-                   TimeBudget::Stage::Spots,
-                   [&] { spots_[camera_] = search.spotsOf(camera_, observation_.labels(camera_)); },
-                   must)
-             : budget.runIfAffordable(
-                   TimeBudget::Stage::Labels, [&] { labelBand(); }, must));
+        empty || (labeled ? budget.runIfAffordable(
+                                TimeBudget::Stage::Spots,
+                                [&] {
+                                  spots_[camera_] =
+                                      search.findSpots(camera_, observation_.labels(camera_));
+                                },
+                                must)
+                          : budget.runIfAffordable(
+                                TimeBudget::Stage::Labels, [&] { labelBand(); }, must));
     if (!done) {
       return false;
     }

@@ -51,10 +51,10 @@ bool TimeBudget::canAfford(Stage stage) {
     return true;
   }
   History& history = histories_[static_cast<std::size_t>(stage)];
-  const double expected = upperMedian(history.times);
+  const double expected = upperMedian(history.durations);
   const bool fits = elapsed() + expected <= kFullShare * limit_;
-  history.deferrals = fits ? 0 : history.deferrals + 1;
-  return fits || history.deferrals > kMaxDeferrals;
+  history.deferralCount = fits ? 0 : history.deferralCount + 1;
+  return fits || history.deferralCount > kMaxDeferrals;
 }
 
 void TimeBudget::record(Stage stage, double milliseconds) {
@@ -62,14 +62,14 @@ void TimeBudget::record(Stage stage, double milliseconds) {
     return;
   }
   History& history = histories_[static_cast<std::size_t>(stage)];
-  history.deferrals = 0;
+  history.deferralCount = 0;
   optional_ += milliseconds;
-  if (history.times.size() < kRemembered) {
-    history.times.push_back(milliseconds);
+  if (history.durations.size() < kRemembered) {
+    history.durations.push_back(milliseconds);
     return;
   }
-  history.times[history.next] = milliseconds;
-  history.next = (history.next + 1) % kRemembered;
+  history.durations[history.nextIndex] = milliseconds;
+  history.nextIndex = (history.nextIndex + 1) % kRemembered;
 }
 
 void TimeBudget::adaptParticleCount(double most) {
@@ -82,7 +82,7 @@ void TimeBudget::adaptParticleCount(double most) {
   particles_ = std::clamp(now * factor, kFewestParticles, std::max(most, kFewestParticles));
 }
 
-std::optional<double> TimeBudget::affordableParticles() const {
+std::optional<double> TimeBudget::affordableParticleCount() const {
   return particles_ > 0.0 ? std::optional(particles_) : std::nullopt;
 }
 

@@ -50,14 +50,14 @@ public:
   void adaptParticleCount(double most);
   /// Returns the number of particles per target that fit into the budget, at least ten. Returns
   /// nothing without a limit.
-  std::optional<double> affordableParticles() const;
+  std::optional<double> affordableParticleCount() const;
 
 private:
   /// Last durations of one kind of work, in milliseconds.
   struct History {
-    std::vector<double> times;
-    std::size_t next = 0;
-    int deferrals = 0;
+    std::vector<double> durations;
+    std::size_t nextIndex = 0; ///< entry of `durations` that the next duration replaces
+    int deferralCount = 0;
   };
 
   bool canAfford(Stage stage);

@@ -24,7 +24,7 @@ public:
   void recordUnseen() { ++unseenSteps_; }
   /// Records that the target was visible in the last step.
   void recordSeen();
-  int unseenSteps() const { return unseenSteps_; }
+  int unseenStepCount() const { return unseenSteps_; }
 
   /// Learns from a measured position. `squaredDistance` is the squared Mahalanobis distance (three
   /// degrees of freedom) of this position from the prediction. `velocity` is the velocity of the

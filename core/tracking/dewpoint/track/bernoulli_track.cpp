@@ -60,18 +60,18 @@ void BernoulliTrack::restart(const StartVolume& start, std::uint64_t seed) {
 void BernoulliTrack::predict(double interval, const RandomKey& key) {
   confidentBefore_ = confidentHypothesis() != nullptr ? confidentHypothesis()->streamNumber : 0;
   const ConstantVelocity motion{interval, settings_.accelerationSigma};
-  const double survival = std::exp(-interval / settings_.survivalTime);
+  const double survival = std::exp(-interval / settings_.survivalSeconds);
   for (TrackHypothesis& hypothesis : hypotheses_) {
     dewpoint::tracking::predict(hypothesis, motion, key);
     hypothesis.probability *= survival;
-    hypothesis.secondsSinceRim += interval;
+    hypothesis.secondsSinceRimSeen += interval;
   }
   if (const TrackHypothesis* confirmed = confidentHypothesis();
       confirmed != nullptr && confirmed->hasRim()) {
-    searchPrior_.confirm(
+    searchPrior_.confirmPosition(
         {confirmed->position(), confirmed->gaussian.covariance.topLeftCorner<3, 3>()});
   } else {
-    searchPrior_.widen(interval, settings_.searchSize);
+    searchPrior_.widen(interval, settings_.searchCubeEdge);
   }
   predicted_ = hypotheses_;
 }
@@ -106,7 +106,7 @@ void BernoulliTrack::update(SphereObservation& observation, const CandidateSourc
   }
   normalizeMasses(hypotheses_, logMasses);
   limitOneCameraHypotheses(hypotheses_);
-  capMassWithoutRim(hypotheses_);
+  limitHypothesesWithoutRim(hypotheses_);
   mergeAndPrune(hypotheses_);
   if (const TrackHypothesis* sure = confidentHypothesis(); sure != nullptr && sure->isSaturated()) {
     radiusPrior_.learn(sure->radius, sure->logRadiusVariance);
@@ -117,7 +117,7 @@ void BernoulliTrack::updateHypotheses(SphereObservation& observation, const Rand
                                       ThreadTeam& team, std::vector<double>& logMasses) {
   for (TrackHypothesis& hypothesis : hypotheses_) {
     double factor =
-        measurementUpdate(hypothesis, observation, particleCount(hypothesis), key, team);
+        applyMeasurementUpdate(hypothesis, observation, particleCount(hypothesis), key, team);
     factor -= evidenceBeyondSaturation(hypothesis);
     hypothesis.onlyOneCameraSees =
         observation.cameraCount() > 1 &&
@@ -132,7 +132,7 @@ double BernoulliTrack::priorProbability(TrackHypothesis& hypothesis,
   observation.setRadius(hypothesis.radius);
   if (observation.isRimVisible(hypothesis.position(), hypothesis.velocity())) {
     hypothesis.wasRimSeen = true;
-    hypothesis.secondsSinceRim = 0.0;
+    hypothesis.secondsSinceRimSeen = 0.0;
   }
   // A part of something that stands still looks the same in every frame, and counts once.
   return hypothesis.wasRimSeen
@@ -142,8 +142,9 @@ double BernoulliTrack::priorProbability(TrackHypothesis& hypothesis,
 }
 
 double BernoulliTrack::birthProbability(const Eigen::Vector3d& position, double radius) const {
-  return kBirthProbability * searchPrior_.birthDensity(position, settings_.searchSize, bounds_) *
-         evidenceVolume(radius);
+  return kBirthProbability *
+         searchPrior_.birthDensity(position, settings_.searchCubeEdge, bounds_) *
+         constantLikelihoodVolume(radius);
 }
 
 void BernoulliTrack::removeImpossible(std::vector<double>& logMasses) {
@@ -171,8 +172,8 @@ void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const Cand
   const double absence = absenceProbabilityInSharedViews(hypotheses_);
   const bool first = hypotheses_.empty();
   for (const Candidate& candidate : search(observation, radiusKnown, kMaxCandidates)) {
-    const OutlineFit fit = fitBirth(candidate, radiusPrior_, settings_.searchSize, observation);
-    if (!fit.found) {
+    const OutlineFit fit = fitCandidateOutline(candidate, radiusPrior_, settings_.searchCubeEdge, observation);
+    if (!fit.isFound) {
       continue;
     }
     observation.setRadius(fit.radius);
@@ -194,7 +195,7 @@ void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const Cand
     hypotheses_.push_back(createHypothesis(fit, observation, key, team));
     logMasses.push_back(std::log(absence * birth) + logLikelihoodRatio -
                         evidenceBeyondSaturation(hypotheses_.back()) -
-                        radiusPrior_.penalty(fit.radius));
+                        radiusPrior_.penaltyFor(fit.radius));
   }
   if (first) {
     scoreInitialHypotheses(observation, logMasses);
@@ -207,9 +208,9 @@ void BernoulliTrack::scoreInitialHypotheses(SphereObservation& observation,
   // is tracked yet there is nothing to protect, and what fits better is likelier to be the target.
   for (std::size_t k = 0; k < hypotheses_.size(); ++k) {
     const TrackHypothesis& one = hypotheses_[k];
-    const double full =
-        std::min(one.logLikelihoodRatio + explainedRingGain(hypotheses_, k, observation),
-                 one.fullyVisibleLogLikelihoodRatio);
+    const double full = std::min(one.logLikelihoodRatio +
+                                     logLikelihoodGainFromNeighbors(hypotheses_, k, observation),
+                                 one.fullyVisibleLogLikelihoodRatio);
     const double size = 0.5 * std::min(one.sizeDeviation, kMaxSizeMisfit);
     logMasses[k] += full - size - (one.logLikelihoodRatio - evidenceBeyondSaturation(one));
   }
@@ -242,7 +243,7 @@ TrackHypothesis BernoulliTrack::createHypothesis(const OutlineFit& fit,
   hypothesis.wasRimSeen = observation.isRimVisible(fit.center, Eigen::Vector3d::Zero());
   hypothesis.sizeDeviation = radiusPrior_.isTrusted() ? fit.sizeDeviation : 0.0;
   hypothesis.measurement = {fit.center, fit.covariance};
-  drawParticles(hypothesis, observation, settings_.minParticles, key, team);
+  sampleWeightedParticles(hypothesis, observation, settings_.minParticles, key, team);
   return hypothesis;
 }
 
@@ -257,7 +258,7 @@ void BernoulliTrack::initializeAt(const Eigen::Vector3d& position, double radius
   fit.logRadiusVariance = radiusPrior_.logVariance();
   hypotheses_.assign(1, createHypothesis(fit, observation, key, team));
   hypotheses_.front().probability = kInitialProbability;
-  hypotheses_.front().provenProbability = kInitialProbability;
+  hypotheses_.front().lastSharedProbability = kInitialProbability;
   hypotheses_.front().wasRimSeen = true;
 }
 
@@ -267,13 +268,13 @@ void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& obser
                                                           : radiusPrior_.expectedRadius();
   TrackHypothesis hypothesis = newHypothesis(position, radius, radiusPrior_.logVariance());
   hypothesis.probability = kInitialProbability;
-  hypothesis.provenProbability = kInitialProbability;
+  hypothesis.lastSharedProbability = kInitialProbability;
   hypothesis.wasRimSeen = true;
   hypothesis.givenCovariance = position.covariance;
-  drawPrior(hypothesis, settings_.maxParticles, key, team);
+  samplePriorParticles(hypothesis, settings_.maxParticles, key, team);
   predicted_.assign(1, hypothesis);
   confidentBefore_ = 0; // it may be anywhere
-  measurementUpdate(hypothesis, observation, settings_.maxParticles, key, team);
+  applyMeasurementUpdate(hypothesis, observation, settings_.maxParticles, key, team);
   hypotheses_.assign(1, hypothesis);
   identityAmbiguity_ = 0.0;
 }
@@ -357,7 +358,7 @@ SphereEstimate BernoulliTrack::estimate(SphereObservation& observation) const {
   SphereEstimate result =
       sphereEstimateFrom(*likeliest, identityAmbiguity_, settings_.systematicErrors, observation);
   const bool undecided = isUndecided(hypotheses_);
-  result.ambiguous = undecided || identityAmbiguity_ >= kAmbiguousIdentity || hasJumped();
+  result.isAmbiguous = undecided || identityAmbiguity_ >= kAmbiguousIdentity || hasJumped();
   if (undecided) {
     result.covariance +=
         mixtureCovariance(hypotheses_) - likeliest->gaussian.covariance.topLeftCorner<3, 3>();

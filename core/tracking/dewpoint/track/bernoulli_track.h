@@ -29,8 +29,8 @@ struct BernoulliTrackSettings {
   double kldError = 0.1;
   /// Standard deviation of the acceleration, m/s². The caller must set this value.
   double accelerationSigma = 0.0;
-  double survivalTime = 5.0; ///< seconds for which an unseen target still counts as present
-  double searchSize = 4.0;   ///< edge length of the space in which a target may appear, meters
+  double survivalSeconds = 5.0; ///< seconds for which an unseen target still counts as present
+  double searchCubeEdge = 4.0;   ///< edge length of the space in which a target may appear, meters
   SystematicErrors systematicErrors; ///< systematic errors included in estimates
 };
 

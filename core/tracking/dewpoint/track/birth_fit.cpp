@@ -12,25 +12,25 @@ constexpr double kOtherRadiusGain = 3.0;
 
 } // namespace
 
-OutlineFit fitBirth(const Candidate& candidate, const RadiusPrior& radius, double searchSize,
-                    SphereObservation& observation) {
+OutlineFit fitCandidateOutline(const Candidate& candidate, const RadiusPrior& radius,
+                               double searchCubeEdge, SphereObservation& observation) {
   OutlinePrior prior;
   prior.center = candidate.center;
   prior.radius = radius.isGiven() ? radius.expectedRadius() : candidate.radius;
   prior.logRadiusVariance = radius.logVariance();
-  prior.information = Eigen::Matrix3d::Identity() / (searchSize * searchSize);
+  prior.information = Eigen::Matrix3d::Identity() / (searchCubeEdge * searchCubeEdge);
   const OutlineFit fit = observation.fit(prior, Eigen::Vector3d::Zero());
   if (!radius.isTrusted()) {
     return fit;
   }
-  prior.logRadiusVariance = RadiusPrior::unknownLogVariance();
+  prior.logRadiusVariance = RadiusPrior::unknownRadiusLogVariance();
   const OutlineFit free = observation.fit(prior, Eigen::Vector3d::Zero());
-  if (!free.found || !radius.contradicts(free.radius)) {
+  if (!free.isFound || !radius.contradicts(free.radius)) {
     return fit;
   }
   const auto evidence = [&observation](const OutlineFit& of) {
     observation.setRadius(of.radius);
-    return of.found ? observation.logLikelihoodRatio(of.center, Eigen::Vector3d::Zero()) : 0.0;
+    return of.isFound ? observation.logLikelihoodRatio(of.center, Eigen::Vector3d::Zero()) : 0.0;
   };
   return evidence(free) > evidence(fit) + kOtherRadiusGain ? free : fit;
 }

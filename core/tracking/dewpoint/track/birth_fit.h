@@ -9,9 +9,9 @@ namespace dewpoint::tracking {
 
 /// Fits the outline of the target at a candidate for a new hypothesis. The radius is the given
 /// radius. If the images contradict the given radius, the radius is measured in the images
-/// (docs/method-dewpoint.md, section 5). `searchSize` is the edge length of the room in meters.
+/// (docs/method-dewpoint.md, section 5). `searchCubeEdge` is the edge length of the room in meters.
 /// Changes the radius of the observation.
-OutlineFit fitBirth(const Candidate& candidate, const RadiusPrior& radius, double searchSize,
-                    SphereObservation& observation);
+OutlineFit fitCandidateOutline(const Candidate& candidate, const RadiusPrior& radius,
+                               double searchCubeEdge, SphereObservation& observation);
 
 } // namespace dewpoint::tracking

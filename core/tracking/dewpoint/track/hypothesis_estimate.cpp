@@ -23,7 +23,7 @@ constexpr double kNearby = 0.03;
 /// Probability that the target is still near the position of a hypothesis, if it exists at all; 1
 /// while it is seen.
 double probabilityNearby(const TrackHypothesis& hypothesis) {
-  return hypothesis.processNoise.unseenSteps() == 0
+  return hypothesis.processNoise.unseenStepCount() == 0
              ? 1.0
              : probabilityWithin(hypothesis.gaussian.covariance.topLeftCorner<3, 3>(),
                                  std::max(kNearby, hypothesis.radius));
@@ -34,7 +34,7 @@ std::vector<Eigen::Vector3d> seeingCenters(const std::vector<CameraEvidence>& ca
                                            const SphereObservation& observation) {
   std::vector<Eigen::Vector3d> centers;
   for (std::size_t k = 0; k < cameras.size(); ++k) {
-    if (cameras[k].inView && cameras[k].visible >= kSeenShare) {
+    if (cameras[k].isInView && cameras[k].visibleShare >= kSeenShare) {
       centers.push_back(observation.projector(k).cameraCenter());
     }
   }
@@ -55,7 +55,7 @@ SphereEstimate momentsOf(const Eigen::ArrayXXd& states, const Eigen::ArrayXd& we
   result.covariance = moments.covariance.topLeftCorner<3, 3>();
   result.effectiveSampleSize = moments.effectiveSampleSize;
   result.particleCount = static_cast<int>(states.rows());
-  result.degenerate = moments.degenerate;
+  result.isDegenerate = moments.isDegenerate;
   return result;
 }
 
@@ -80,7 +80,7 @@ SphereEstimate estimateFrom(const TrackHypothesis& hypothesis, double identityAm
   }
   result.covariance =
       withSystematicErrors(result.covariance, systematic, hypothesis.givenCovariance);
-  result.valid = hypothesis.probability * near > 0.5 && isUseful(hypothesis);
+  result.isValid = hypothesis.probability * near > 0.5 && isUseful(hypothesis);
   return result;
 }
 
@@ -92,7 +92,7 @@ SphereEstimate sphereEstimateFrom(const TrackHypothesis& hypothesis, double iden
   SphereEstimate result =
       estimateFrom(hypothesis, identityAmbiguity, seeingCenters(cameras, observation), errors,
                    Eigen::Matrix3d::Zero());
-  result.seeingCameraCount = SphereObservation::camerasSeeing(cameras);
+  result.seeingCameraCount = SphereObservation::countSeeingCameras(cameras);
   result.cameras = std::move(cameras);
   return result;
 }

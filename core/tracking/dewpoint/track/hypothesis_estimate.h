@@ -20,7 +20,7 @@ namespace dewpoint::tracking {
 /// is the product of the hypothesis' probability and 1 - `identityAmbiguity`, where
 /// `identityAmbiguity` (0 to 1) is the probability that the hypothesis is an identical object.
 /// While no camera sees the target, it is also multiplied by the probability that the target is
-/// within its radius of the estimate. `valid` is true if the hypothesis is more likely than not,
+/// within its radius of the estimate. `isValid` is true if the hypothesis is more likely than not,
 /// regardless of the identity, and the position is known precisely enough to be useful. The
 /// function sets the radius of the observation.
 SphereEstimate sphereEstimateFrom(const TrackHypothesis& hypothesis, double identityAmbiguity,
@@ -34,7 +34,7 @@ SphereEstimate estimateFrom(const TrackHypothesis& hypothesis, double identityAm
                             const SystematicErrors& errors, const Eigen::Matrix3d& ofShape);
 
 /// Returns the estimate of a target that is being searched for: the mean and covariance of the
-/// search particles. `valid` is false.
+/// search particles. `isValid` is false.
 SphereEstimate sphereEstimateFrom(const SearchParticles& particles);
 
 } // namespace dewpoint::tracking

@@ -46,14 +46,14 @@ double absenceProbabilityInSharedViews(const std::vector<TrackHypothesis>& hypot
 void limitOneCameraHypotheses(std::vector<TrackHypothesis>& hypotheses) {
   for (TrackHypothesis& hypothesis : hypotheses) {
     if (hypothesis.onlyOneCameraSees) {
-      hypothesis.probability = std::min(hypothesis.probability, hypothesis.provenProbability);
+      hypothesis.probability = std::min(hypothesis.probability, hypothesis.lastSharedProbability);
     } else {
-      hypothesis.provenProbability = hypothesis.probability;
+      hypothesis.lastSharedProbability = hypothesis.probability;
     }
   }
 }
 
-void capMassWithoutRim(std::vector<TrackHypothesis>& hypotheses) {
+void limitHypothesesWithoutRim(std::vector<TrackHypothesis>& hypotheses) {
   for (TrackHypothesis& hypothesis : hypotheses) {
     if (!hypothesis.hasRim()) {
       hypothesis.probability = std::min(hypothesis.probability, kMostWithoutRim);
@@ -92,7 +92,7 @@ double evidenceBeyondSaturation(const TrackHypothesis& hypothesis) {
                                                       hypothesis.fullyVisibleLogLikelihoodRatio);
 }
 
-double probabilityOfLargest(std::span<const double> logMasses, double absence) {
+double probabilityOfMostLikely(std::span<const double> logMasses, double absence) {
   const auto top = std::max_element(logMasses.begin(), logMasses.end());
   double others = absence;
   for (auto mass = logMasses.begin(); mass != logMasses.end(); ++mass) {
@@ -109,7 +109,8 @@ bool mustSearch(const std::vector<TrackHypothesis>& hypotheses,
   }
   const TrackHypothesis& hypothesis = hypotheses[static_cast<std::size_t>(top - logMasses.begin())];
   return hypothesis.onlyOneCameraSees ||
-         probabilityOfLargest(logMasses, absenceProbability(hypotheses)) < kNoSearchProbability ||
+         probabilityOfMostLikely(logMasses, absenceProbability(hypotheses)) <
+             kNoSearchProbability ||
          hypothesis.logLikelihoodRatio <
              TrackHypothesis::kMostlyVisibleShare * hypothesis.fullyVisibleLogLikelihoodRatio ||
          hypothesis.fullyVisibleLogLikelihoodRatio <= 0.0;

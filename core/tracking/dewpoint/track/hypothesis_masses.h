@@ -39,7 +39,7 @@ void limitOneCameraHypotheses(std::vector<TrackHypothesis>& hypotheses);
 
 /// Limits the probability of a hypothesis to 0.9 if no camera has recently shown the rim of the
 /// target (TrackHypothesis::hasRim()), because it may be part of a larger object.
-void capMassWithoutRim(std::vector<TrackHypothesis>& hypotheses);
+void limitHypothesesWithoutRim(std::vector<TrackHypothesis>& hypotheses);
 
 /// Returns the part of a hypothesis' log likelihood ratio that is not counted: the excess over
 /// kSaturationShare times the log likelihood ratio of a fully visible target.
@@ -49,7 +49,7 @@ double evidenceBeyondSaturation(const TrackHypothesis& hypothesis);
 /// and with absence. The result is exp(largest m) / (absence + the sum of exp(m) over all m in
 /// `logMasses`). `logMasses` must have at least one element. `absence` is the mass of absence
 /// itself, not its logarithm.
-double probabilityOfLargest(std::span<const double> logMasses, double absence);
+double probabilityOfMostLikely(std::span<const double> logMasses, double absence);
 
 /// Returns whether the images must be searched for the target, because there is no hypothesis or
 /// the most likely hypothesis is doubtful. A hypothesis is doubtful if only one of several cameras

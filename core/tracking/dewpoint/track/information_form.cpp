@@ -7,8 +7,8 @@
 
 namespace dewpoint::tracking {
 
-InformationForm InformationForm::between(const Gaussian3& before, const Gaussian3& after,
-                                         double variance) {
+InformationForm InformationForm::measurementBetween(const Gaussian3& before, const Gaussian3& after,
+                                                    double variance) {
   const Eigen::Matrix3d known = after.covariance.inverse();
   Eigen::Matrix3d own = known - before.covariance.inverse();
   own = 0.5 * (own + own.transpose().eval());
@@ -36,7 +36,7 @@ Gaussian3 InformationForm::posterior(const Gaussian3& before) const {
   return result;
 }
 
-double InformationForm::squaredDistance(const Eigen::Matrix3d& before) const {
+double InformationForm::squaredMahalanobisDistance(const Eigen::Matrix3d& before) const {
   const Eigen::Matrix3d spread = information * before * information + information;
   return vector.dot(spread.inverse() * vector);
 }

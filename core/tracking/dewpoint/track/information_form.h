@@ -16,7 +16,8 @@ struct InformationForm {
   /// Returns the measurement that updates the Gaussian `before` (centered on the predicted
   /// position) to `after`. Then `variance` (m²) is added to the covariance of this measurement,
   /// along each axis.
-  static InformationForm between(const Gaussian3& before, const Gaussian3& after, double variance);
+  static InformationForm measurementBetween(const Gaussian3& before, const Gaussian3& after,
+                                            double variance);
   /// Returns the same measurement relative to the predicted position plus `offset` (m).
   InformationForm relativeTo(const Eigen::Vector3d& offset) const {
     return {information, vector - information * offset};
@@ -31,7 +32,7 @@ struct InformationForm {
   Gaussian3 posterior(const Gaussian3& before) const;
   /// Returns the squared Mahalanobis distance of the measurement from a prior with this covariance
   /// (m²), centered on the predicted position.
-  double squaredDistance(const Eigen::Matrix3d& before) const;
+  double squaredMahalanobisDistance(const Eigen::Matrix3d& before) const;
 };
 
 } // namespace dewpoint::tracking

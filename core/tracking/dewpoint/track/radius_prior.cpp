@@ -32,7 +32,7 @@ double RadiusPrior::expectedRadius() const {
   return measured_ > 0.0 ? measured_ : isGiven() ? given_ : kAssumedRadius;
 }
 
-double RadiusPrior::unknownLogVariance() {
+double RadiusPrior::unknownRadiusLogVariance() {
   return kRadiusSigma * kRadiusSigma;
 }
 
@@ -40,7 +40,7 @@ bool RadiusPrior::contradicts(double radius) const {
   return isGiven() && std::abs(std::log(radius / given_)) > kTrusted;
 }
 
-double RadiusPrior::penalty(double radius) const {
+double RadiusPrior::penaltyFor(double radius) const {
   if (measured_ <= 0.0 && !isGiven()) {
     return 0.0;
   }

@@ -30,14 +30,14 @@ public:
   /// given radius, otherwise a typical radius.
   double expectedRadius() const;
   /// Returns the variance of the radius' logarithm at the start of a fit; 0 for a trusted radius.
-  double logVariance() const { return isTrusted() ? 0.0 : unknownLogVariance(); }
+  double logVariance() const { return isTrusted() ? 0.0 : unknownRadiusLogVariance(); }
   /// Returns the variance of the logarithm of an unknown radius.
-  static double unknownLogVariance();
+  static double unknownRadiusLogVariance();
   /// Returns the cost in nats (units of the natural logarithm) of a radius that differs from the
   /// expected radius: half the squared distance of the logarithms in standard deviations. The cost
   /// has an upper limit, because the given radius may have been measured wrongly. Returns 0 if the
   /// radius is unknown.
-  double penalty(double radius) const;
+  double penaltyFor(double radius) const;
   /// Returns whether an object of this radius (m) may be the target.
   bool allowsRadius(double radius) const;
 

@@ -36,7 +36,7 @@ constexpr double kMinRegionProbability = 1e-3;
 double logLikelihoodRatio(const std::vector<RegionMeasurement>& views, double fill) {
   double sum = 0.0;
   for (const RegionMeasurement& view : views) {
-    sum += view.inView ? regionEvidence(view, fill) : 0.0;
+    sum += view.isInView ? regionEvidence(view, fill) : 0.0;
   }
   return sum;
 }
@@ -44,7 +44,7 @@ double logLikelihoodRatio(const std::vector<RegionMeasurement>& views, double fi
 double fullyVisible(const std::vector<RegionMeasurement>& views) {
   double sum = 0.0;
   for (const RegionMeasurement& view : views) {
-    sum += view.inView ? fullRegionEvidence() : 0.0;
+    sum += view.isInView ? fullRegionEvidence() : 0.0;
   }
   return sum;
 }
@@ -57,7 +57,7 @@ double saturated(const TrackHypothesis& hypothesis) {
 
 int viewsInView(const std::vector<RegionMeasurement>& views) {
   return static_cast<int>(
-      std::ranges::count_if(views, [](const RegionMeasurement& view) { return view.inView; }));
+      std::ranges::count_if(views, [](const RegionMeasurement& view) { return view.isInView; }));
 }
 
 } // namespace
@@ -77,14 +77,14 @@ void RegionTrack::predict(double interval, const RandomKey& key) {
   if (state_) {
     TrackHypothesis& hypothesis = state_->hypothesis;
     dewpoint::tracking::predict(hypothesis, {interval, settings_.accelerationSigma}, key);
-    hypothesis.probability *= std::exp(-interval / settings_.survivalTime);
+    hypothesis.probability *= std::exp(-interval / settings_.survivalSeconds);
     hypothesis.pendingPredictions.clear(); // particles are drawn anew in each update
   }
   if (state_ && state_->hypothesis.probability > kRegionNoSearchProbability) {
     const TrackHypothesis& sure = state_->hypothesis;
-    searchPrior_.confirm({sure.position(), sure.gaussian.covariance.topLeftCorner<3, 3>()});
+    searchPrior_.confirmPosition({sure.position(), sure.gaussian.covariance.topLeftCorner<3, 3>()});
   } else {
-    searchPrior_.widen(interval, settings_.searchSize);
+    searchPrior_.widen(interval, settings_.searchCubeEdge);
   }
   predicted_ = state_;
 }
@@ -121,7 +121,7 @@ void RegionTrack::accept(State& state, const EllipsoidFit& fit) const {
   TrackHypothesis& hypothesis = state.hypothesis;
   if (fit.degreesOfFreedom > 0) {
     const double now = std::min(fit.disagreement / fit.degreesOfFreedom, kMaxRegionDisagreement);
-    state.disagreement += kRegionDisagreementRate * (now - state.disagreement);
+    state.meanCameraDisagreement += kRegionDisagreementRate * (now - state.meanCameraDisagreement);
   }
   state.extent = fit.ellipsoid.extent;
   hypothesis.radius = Ellipsoid{fit.ellipsoid.center, state.extent}.radius();
@@ -132,7 +132,8 @@ void RegionTrack::accept(State& state, const EllipsoidFit& fit) const {
   evidence.information = fit.information + kMinInformation * Eigen::Matrix3d::Identity();
   evidence.vector = fit.covariance.inverse() * (fit.ellipsoid.center - prior.mean);
   hypothesis.measurement = evidence.asGaussian(prior.mean);
-  const double off = evidence.squaredDistance(hypothesis.gaussian.covariance.topLeftCorner<3, 3>());
+  const double off =
+      evidence.squaredMahalanobisDistance(hypothesis.gaussian.covariance.topLeftCorner<3, 3>());
   if (off > kManeuverGate * kManeuverGate) {
     hypothesis.gaussian.covariance = wide;
   }
@@ -151,7 +152,7 @@ double RegionTrack::measure(State& state, RegionObservation& observation) const 
       hypothesis.gaussian.covariance + hypothesis.processNoise.gatingCovariance();
   const PreparedGaussian3 gate({hypothesis.position(), wide.topLeftCorner<3, 3>()});
   hypothesis.wasOutlineFound =
-      fit.found && gate.squaredDistance(fit.ellipsoid.center) <= kGate * kGate;
+      fit.isFound && gate.squaredDistance(fit.ellipsoid.center) <= kGate * kGate;
   const double fill = state.coloredFraction > 0.0 ? state.coloredFraction : kPriorFill;
   hypothesis.logLikelihoodRatio = logLikelihoodRatio(state.measurements, fill);
   hypothesis.fullyVisibleLogLikelihoodRatio = fullyVisible(state.measurements);
@@ -160,11 +161,11 @@ double RegionTrack::measure(State& state, RegionObservation& observation) const 
   if (hypothesis.wasOutlineFound) {
     accept(state, fit);
     for (const RegionMeasurement& view : state.measurements) {
-      if (view.region && view.visible > 0.5) {
+      if (view.region && view.visibleShare > 0.5) {
         state.coloredFraction =
             state.coloredFraction > 0.0
-                ? state.coloredFraction + kFillRate * (view.matched - state.coloredFraction)
-                : view.matched;
+                ? state.coloredFraction + kFillRate * (view.matchedShare - state.coloredFraction)
+                : view.matchedShare;
       }
     }
   }
@@ -180,7 +181,7 @@ double RegionTrack::measure(State& state, RegionObservation& observation) const 
 
 void RegionTrack::draw(const RandomKey& key, ThreadTeam& team) {
   if (state_) {
-    drawPrior(state_->hypothesis, settings_.minParticles, key, team);
+    samplePriorParticles(state_->hypothesis, settings_.minParticles, key, team);
   }
 }
 
@@ -188,7 +189,7 @@ void RegionTrack::startAt(const Gaussian3& position, const Eigen::Matrix3d& exte
                           RegionObservation& observation, const RandomKey& key, ThreadTeam& team) {
   State state = newState(position, extent);
   state.hypothesis.probability = kInitialProbability;
-  state.hypothesis.provenProbability = kInitialProbability;
+  state.hypothesis.lastSharedProbability = kInitialProbability;
   if (byHand) {
     state.hypothesis.givenCovariance = position.covariance;
   }
@@ -208,9 +209,9 @@ void RegionTrack::update(RegionObservation& observation,
     const double odds = std::log(before / (1.0 - before)) + measure(*state_, observation);
     hypothesis.probability = probabilityFromLogOdds(odds);
     if (hypothesis.onlyOneCameraSees) {
-      hypothesis.probability = std::min(hypothesis.probability, hypothesis.provenProbability);
+      hypothesis.probability = std::min(hypothesis.probability, hypothesis.lastSharedProbability);
     } else {
-      hypothesis.provenProbability = hypothesis.probability;
+      hypothesis.lastSharedProbability = hypothesis.probability;
     }
     const bool outside = bounds_ && !bounds_->contains(hypothesis.position(), hypothesis.radius);
     if (hypothesis.probability < kMinRegionProbability || outside) {
@@ -240,14 +241,14 @@ void RegionTrack::search(RegionObservation& observation,
     measure(state, observation);
     const TrackHypothesis& found = state.hypothesis;
     const double density =
-        searchPrior_.birthDensity(found.position(), settings_.searchSize, bounds_);
+        searchPrior_.birthDensity(found.position(), settings_.searchCubeEdge, bounds_);
     if (!found.wasOutlineFound || found.onlyOneCameraSees || density <= 0.0 ||
         found.logLikelihoodRatio < kMinLogLikelihoodRatio) {
       continue;
     }
-    const double mass = std::exp(
-        std::log((1.0 - present) * kBirthProbability * density * evidenceVolume(candidate.radius)) +
-        saturated(found) + candidate.logRarity - 0.5 * candidate.misfit);
+    const double mass = std::exp(std::log((1.0 - present) * kBirthProbability * density *
+                                          constantLikelihoodVolume(candidate.radius)) +
+                                 saturated(found) + candidate.logRarity - 0.5 * candidate.misfit);
     allMass += mass;
     if (mass > bestMass) {
       bestMass = mass;
@@ -261,7 +262,7 @@ void RegionTrack::search(RegionObservation& observation,
   const double others = std::max(0.0, allMass - bestMass - absence - present);
   best->ambiguity = others / (others + bestMass);
   best->hypothesis.probability = bestMass / (bestMass + absence + present);
-  best->hypothesis.provenProbability = best->hypothesis.probability;
+  best->hypothesis.lastSharedProbability = best->hypothesis.probability;
   state_ = best;
 }
 
@@ -278,21 +279,21 @@ SphereEstimate RegionTrack::estimate(const RegionObservation& observation) const
   for (std::size_t k = 0; k < std::min(cameras.size(), state.measurements.size()); ++k) {
     const RegionMeasurement& view = state.measurements[k];
     CameraEvidence& camera = cameras[k];
-    camera.inView = view.inView;
-    camera.logLikelihood = view.inView ? regionEvidence(view, fill) : 0.0;
+    camera.isInView = view.isInView;
+    camera.logLikelihood = view.isInView ? regionEvidence(view, fill) : 0.0;
     camera.existenceProbability = probabilityFromLogOdds(camera.logLikelihood);
-    camera.visible = std::min(1.0, view.visible * view.matched / fill);
-    if (view.inView && view.region && camera.visible >= kSeenShare) {
+    camera.visibleShare = std::min(1.0, view.visibleShare * view.matchedShare / fill);
+    if (view.isInView && view.region && camera.visibleShare >= kSeenShare) {
       seeing.push_back(observation.views()[k].projector.cameraCenter());
     }
   }
   // Second moments of a solid are a fifth of its extent, of its image a quarter: kShapeShare is of
   // the image's.
   const Eigen::Matrix3d ofShape =
-      kShapeShare * kShapeShare * std::max(1.0, state.disagreement) * 0.25 * state.extent;
+      kShapeShare * kShapeShare * std::max(1.0, state.meanCameraDisagreement) * 0.25 * state.extent;
   SphereEstimate result =
       estimateFrom(state.hypothesis, state.ambiguity, seeing, settings_.systematicErrors, ofShape);
-  result.seeingCameraCount = SphereObservation::camerasSeeing(cameras);
+  result.seeingCameraCount = SphereObservation::countSeeingCameras(cameras);
   result.cameras = std::move(cameras);
   result.extent = state.extent;
   return result;

@@ -64,7 +64,7 @@ private:
     Eigen::Matrix3d extent = Eigen::Matrix3d::Zero();
     double ambiguity = 0.0; ///< probability that the hypothesis is another object
     /// Running mean of EllipsoidFit::disagreement per degree of freedom.
-    double disagreement = 1.0;
+    double meanCameraDisagreement = 1.0;
     double coloredFraction =
         0.0; ///< fraction of its outlines that has the target's color; 0: unknown
     std::vector<RegionMeasurement> measurements;

@@ -94,7 +94,7 @@ void setGaussianFromParticles(TrackHypothesis& hypothesis) {
 }
 
 /// The measurement update when no outline was found: weights the predicted particles. Returns the
-/// log factor of measurementUpdate().
+/// log factor of applyMeasurementUpdate().
 double weightPrediction(TrackHypothesis& hypothesis, SphereObservation& observation,
                         const RandomKey& key, ThreadTeam& team) {
   applyPendingMotion(hypothesis, team);
@@ -110,7 +110,7 @@ double weightPrediction(TrackHypothesis& hypothesis, SphereObservation& observat
     const Eigen::Index count = hypothesis.states.rows();
     if (effective < 0.5 * static_cast<double>(count)) {
       Ancestors ancestors;
-      SystematicResampling().ancestors(
+      SystematicResampling().drawAncestors(
           hypothesis.weights, count,
           key.streamOfPart(RandomPurpose::Resampling, hypothesis.streamNumber), ancestors);
       hypothesis.states = Eigen::ArrayXXd(hypothesis.states(ancestors, Eigen::all));
@@ -150,7 +150,7 @@ OutlineMeasurement measure(const TrackHypothesis& hypothesis, SphereObservation&
   prior.logRadiusVariance = hypothesis.logRadiusVariance;
   prior.information = before.covariance.inverse();
   OutlineMeasurement result{observation.fit(prior, hypothesis.velocity(), reach), before};
-  if (result.fit.found && result.fit.degreesOfFreedom == 0 && prior.logRadiusVariance > 0.0 &&
+  if (result.fit.isFound && result.fit.degreesOfFreedom == 0 && prior.logRadiusVariance > 0.0 &&
       prior.logRadiusVariance < kHeldRadius * kHeldRadius && observation.cameraCount() > 1) {
     // One camera alone does not tell a larger target from a nearer one: the radius stays, and how
     // well it is known counts in the covariance (a Schmidt-Kalman update).
@@ -160,7 +160,8 @@ OutlineMeasurement measure(const TrackHypothesis& hypothesis, SphereObservation&
     result.fit.covariance = free.covariance;
     result.fit.logRadiusVariance = hypothesis.logRadiusVariance;
   }
-  if (!result.fit.found || prediction.prepared.squaredDistance(result.fit.center) > kGate * kGate) {
+  if (!result.fit.isFound ||
+      prediction.prepared.squaredDistance(result.fit.center) > kGate * kGate) {
     return result;
   }
   observation.setRadius(result.fit.radius);
@@ -221,10 +222,11 @@ OutlineMeasurement findOutline(TrackHypothesis& hypothesis, SphereObservation& o
 double updateDisagreement(TrackHypothesis& hypothesis, const OutlineFit& fit) {
   if (fit.degreesOfFreedom > 0) {
     const double now = std::min(fit.disagreement / fit.degreesOfFreedom, kMaxDisagreement);
-    hypothesis.lastDisagreement = now;
-    hypothesis.disagreement += kDisagreementRate * (now - hypothesis.disagreement);
+    hypothesis.lastCameraDisagreement = now;
+    hypothesis.meanCameraDisagreement +=
+        kDisagreementRate * (now - hypothesis.meanCameraDisagreement);
   }
-  return std::max(1.0, hypothesis.disagreement);
+  return std::max(1.0, hypothesis.meanCameraDisagreement);
 }
 
 /// Conditions the Gaussian on a fitted outline (the update of a Kalman filter, in information
@@ -234,27 +236,28 @@ void conditionOnOutline(TrackHypothesis& hypothesis, const Prediction& predictio
   const double blur = kBlurSeconds * hypothesis.velocity().norm();
   const double shade = kShadingShareOfRadius * hypothesis.radius;
   const InformationForm evidence =
-      InformationForm::between(found.prior, {found.fit.center, found.fit.covariance},
-                               blur * blur + shade * shade)
+      InformationForm::measurementBetween(found.prior, {found.fit.center, found.fit.covariance},
+                                          blur * blur + shade * shade)
           .relativeTo(hypothesis.position() - found.prior.mean)
           .inflated(updateDisagreement(hypothesis, found.fit));
   hypothesis.measurement = evidence.asGaussian(hypothesis.position());
-  const double off = evidence.squaredDistance(hypothesis.gaussian.covariance.topLeftCorner<3, 3>());
+  const double off =
+      evidence.squaredMahalanobisDistance(hypothesis.gaussian.covariance.topLeftCorner<3, 3>());
   if (off > kManeuverGate * kManeuverGate) {
     hypothesis.gaussian.covariance = prediction.covariance; // a maneuver
   }
   conditionOnPosition(hypothesis.gaussian,
                       evidence.posterior({hypothesis.position(),
                                           hypothesis.gaussian.covariance.topLeftCorner<3, 3>()}));
-  hypothesis.cameraInformation = found.fit.pulls;
+  hypothesis.cameraInformation = found.fit.cameraInformation;
   hypothesis.processNoise.learn(off, hypothesis.velocity());
   hypothesis.processNoise.recordSeen();
 }
 
 } // namespace
 
-double explainedRingGain(const std::vector<TrackHypothesis>& all, std::size_t own,
-                         SphereObservation& observation) {
+double logLikelihoodGainFromNeighbors(const std::vector<TrackHypothesis>& all, std::size_t own,
+                                      SphereObservation& observation) {
   std::vector<OutlineSphere> others;
   for (std::size_t k = 0; k < all.size(); ++k) {
     // Compared with what this hypothesis can have at most: an object that one camera alone sees
@@ -268,7 +271,7 @@ double explainedRingGain(const std::vector<TrackHypothesis>& all, std::size_t ow
   return observation.explainedRingGain(all[own].position(), others);
 }
 
-double evidenceVolume(double radius) {
+double constantLikelihoodVolume(double radius) {
   const double edge = 0.3 * radius;
   return edge * edge * edge;
 }
@@ -341,21 +344,21 @@ Eigen::ArrayXd propose(TrackHypothesis& hypothesis, Eigen::Index count, const Ra
 
 } // namespace
 
-void drawPrior(TrackHypothesis& hypothesis, Eigen::Index count, const RandomKey& key,
-               ThreadTeam& team) {
+void samplePriorParticles(TrackHypothesis& hypothesis, Eigen::Index count, const RandomKey& key,
+                          ThreadTeam& team) {
   const Eigen::ArrayXd logs = propose(hypothesis, count, key, team);
   normalize(logs, hypothesis.weights, team);
 }
 
-void drawParticles(TrackHypothesis& hypothesis, SphereObservation& observation, Eigen::Index count,
-                   const RandomKey& key, ThreadTeam& team) {
+void sampleWeightedParticles(TrackHypothesis& hypothesis, SphereObservation& observation,
+                             Eigen::Index count, const RandomKey& key, ThreadTeam& team) {
   Eigen::ArrayXd logs = propose(hypothesis, count, key, team);
   logs += logLikelihoods(hypothesis, observation, team);
   normalize(logs, hypothesis.weights, team);
 }
 
-double measurementUpdate(TrackHypothesis& hypothesis, SphereObservation& observation,
-                         Eigen::Index count, const RandomKey& key, ThreadTeam& team) {
+double applyMeasurementUpdate(TrackHypothesis& hypothesis, SphereObservation& observation,
+                              Eigen::Index count, const RandomKey& key, ThreadTeam& team) {
   ++hypothesis.updateCount;
   observation.setRadius(hypothesis.radius);
   const Prediction prediction(hypothesis);
@@ -387,7 +390,7 @@ double measurementUpdate(TrackHypothesis& hypothesis, SphereObservation& observa
   conditionOnOutline(hypothesis, prediction, found);
   hypothesis.fullyVisibleLogLikelihoodRatio =
       observation.fullyVisibleLogLikelihoodRatio(hypothesis.position(), hypothesis.velocity());
-  drawParticles(hypothesis, observation, count, key, team);
+  sampleWeightedParticles(hypothesis, observation, count, key, team);
   return hypothesis.logLikelihoodRatio - innovationPenalty;
 }
 

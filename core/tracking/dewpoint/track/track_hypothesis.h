@@ -31,13 +31,13 @@ struct TrackHypothesis {
   /// True if there are several cameras, but only one of them can see the target now.
   bool onlyOneCameraSees = false;
   /// `probability` at the time when more than one camera could last see the hypothesis.
-  double provenProbability = 0.0;
+  double lastSharedProbability = 0.0;
   /// True if a camera has shown the rim of the target (where its color ends) since the birth of the
   /// hypothesis, or the user has confirmed its position. Until then, the hypothesis may be part of
   /// a larger object.
   bool wasRimSeen = false;
   /// Time in seconds since the rim was last shown or the position was last confirmed.
-  double secondsSinceRim = 0.0;
+  double secondsSinceRimSeen = 0.0;
   /// Log likelihood ratio at the last measurement update, sum over all cameras.
   double logLikelihoodRatio = 0.0;
   /// Log likelihood ratio that would result if every camera with the target in its image saw it
@@ -57,10 +57,10 @@ struct TrackHypothesis {
   /// Disagreement between the cameras about the position (OutlineFit::disagreement) per degree of
   /// freedom, as a running mean. 1 if the cameras disagree as much as expected from the assumed
   /// edge errors.
-  double disagreement = 1.0;
+  double meanCameraDisagreement = 1.0;
   /// Disagreement between the cameras per degree of freedom, and the information about the position
   /// from each camera, of the last measurement update that found an outline.
-  double lastDisagreement = 1.0;
+  double lastCameraDisagreement = 1.0;
   std::vector<CameraInformation> cameraInformation;
   /// Predictions not yet applied to the particles. While the outline is found, new particles are
   /// drawn, and these predictions are never needed.
@@ -95,7 +95,7 @@ struct TrackHypothesis {
 
   /// Returns whether a camera showed the rim of the target recently, so that the hypothesis is not
   /// part of a larger object.
-  bool hasRim() const { return wasRimSeen && secondsSinceRim <= kRimMemorySeconds; }
+  bool hasRim() const { return wasRimSeen && secondsSinceRimSeen <= kRimMemorySeconds; }
 
   Eigen::Vector3d position() const { return gaussian.mean.head<3>(); }
   Eigen::Vector3d velocity() const { return gaussian.mean.tail<3>(); }
@@ -112,30 +112,30 @@ void predict(TrackHypothesis& hypothesis, const ConstantVelocity& allowed, const
 
 /// Draws `count` particles from the Gaussian of a hypothesis, without using images. Method:
 /// importance sampling from a proposal that is wider than the Gaussian.
-void drawPrior(TrackHypothesis& hypothesis, Eigen::Index count, const RandomKey& key,
-               ThreadTeam& team);
+void samplePriorParticles(TrackHypothesis& hypothesis, Eigen::Index count, const RandomKey& key,
+                          ThreadTeam& team);
 
 /// Draws `count` particles from the Gaussian of a hypothesis and weights them with the likelihood
 /// of the images. Method: importance sampling from a proposal that is wider than the Gaussian.
-void drawParticles(TrackHypothesis& hypothesis, SphereObservation& observation, Eigen::Index count,
-                   const RandomKey& key, ThreadTeam& team);
+void sampleWeightedParticles(TrackHypothesis& hypothesis, SphereObservation& observation,
+                             Eigen::Index count, const RandomKey& key, ThreadTeam& team);
 
 /// Updates a hypothesis with the images of a frame. Fits the outline near the predicted position
 /// and draws `count` particles from the posterior. If no outline is found, weights the predicted
 /// particles by their likelihood, and resamples them if their effective sample size falls below
 /// half. Returns the logarithm of the factor by which the odds of the hypothesis relative to
 /// absence change.
-double measurementUpdate(TrackHypothesis& hypothesis, SphereObservation& observation,
-                         Eigen::Index count, const RandomKey& key, ThreadTeam& team);
+double applyMeasurementUpdate(TrackHypothesis& hypothesis, SphereObservation& observation,
+                              Eigen::Index count, const RandomKey& key, ThreadTeam& team);
 
 /// Returns the amount by which the log likelihood ratio of hypothesis `own` increases if pixels
 /// inside the outlines of the other mostly visible hypotheses do not count against `own`. A second
 /// object of the same color that touches the target in an image is no evidence against the target.
-double explainedRingGain(const std::vector<TrackHypothesis>& all, std::size_t own,
-                         SphereObservation& observation);
+double logLikelihoodGainFromNeighbors(const std::vector<TrackHypothesis>& all, std::size_t own,
+                                      SphereObservation& observation);
 
 /// Returns the volume in m³ over which the likelihood of a sphere of this radius (meters) is
 /// approximately constant: a cube with edges of 0.3 radii.
-double evidenceVolume(double radius);
+double constantLikelihoodVolume(double radius);
 
 } // namespace dewpoint::tracking

@@ -31,7 +31,7 @@ std::vector<double> errorsOf(const std::string& scenario, std::uint64_t seed, st
     const SphereEstimate& estimate = sphereOf(**tracker);
     for (const TrajectorySample& truth : run->truth.samples) {
       if (truth.frame == frame && truth.target == run->targets.front().name) {
-        errors.push_back(estimate.valid ? (estimate.mean - truth.position).norm() : 1.0);
+        errors.push_back(estimate.isValid ? (estimate.mean - truth.position).norm() : 1.0);
       }
     }
   }

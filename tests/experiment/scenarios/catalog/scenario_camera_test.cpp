@@ -58,7 +58,7 @@ TEST(ScenarioCameraModel, HasTheLensesAndSensorsOfRoom) {
       for (const CameraFaults& camera : faults.cameras) {
         expectWithin(camera.sensor.psfSigmaPx, 0.5, 2.0, name);
         expectWithin(camera.sensor.noise.fullWellElectrons, 1000.0, 6000.0, name);
-        expectWithin(camera.sensor.noise.readElectrons, 2.0, 6.0, name);
+        expectWithin(camera.sensor.noise.readNoiseElectrons, 2.0, 6.0, name);
         expectWithin(camera.sensor.sharpening.amount, 0.2, 1.0, name);
         expectWithin(camera.sensor.jpegQuality, 40, 90, name);
         EXPECT_EQ(camera.sensor.contrast, 1.0);
@@ -207,7 +207,7 @@ TEST(ScenarioTiming, UnknownDelaysAreUpToHalfAFrame) {
         draftOf(experiment::scenarios::timingScenarios(), "S15-offsets-fast", seed);
     const SensingFaults faults = faultsOf(draft);
     for (const std::size_t camera : {0U, 1U}) {
-      const double delay = 30.0 * faults.cameras.at(camera).timing.delay;
+      const double delay = 30.0 * faults.cameras.at(camera).timing.delaySeconds;
       expectWithin(delay, 0.0, 0.5, draft.name);
       // A blob is found to 2 px, of which most cancels; the steps are 20 to 40 px.
       EXPECT_NEAR(framesBehind(withFaults(draft), camera), delay, 0.1);
@@ -225,7 +225,7 @@ TEST(ScenarioTiming, RollingShuttersReadOutIn15To30Milliseconds) {
       const ScenarioDraft draft = draftOf(experiment::scenarios::timingScenarios(), name, seed);
       for (const CameraFaults& camera : faultsOf(draft).cameras) {
         expectWithin(camera.sensor.shutter.readoutSeconds, 0.015, 0.030, name);
-        EXPECT_EQ(camera.timing.delay, 0.0);
+        EXPECT_EQ(camera.timing.delaySeconds, 0.0);
         EXPECT_EQ(camera.timing.clockDrift, 0.0);
       }
     }
@@ -243,7 +243,7 @@ TEST(ScenarioTiming, ClocksGoWrongByUpToTwoThousandths) {
         draftOf(experiment::scenarios::timingScenarios(), "S15-clock-drift", seed);
     for (const CameraFaults& camera : faultsOf(draft).cameras) {
       expectWithin(camera.timing.clockDrift, -0.002, 0.002, draft.name);
-      EXPECT_EQ(camera.timing.delay, 0.0);
+      EXPECT_EQ(camera.timing.delaySeconds, 0.0);
       EXPECT_EQ(camera.sensor.shutter.readoutSeconds, 0.0);
       most = std::max(most, std::abs(camera.timing.clockDrift));
     }

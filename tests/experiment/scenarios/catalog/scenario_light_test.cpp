@@ -85,7 +85,7 @@ double rednessOf(const cv::Mat& image) {
 
 TEST(ScenarioIllumination, ASecondLampIsABulbOrTheSky) {
   const auto rednessAt = [](double kelvin) {
-    return rednessOf(simulation::temperatureGain(kelvin));
+    return rednessOf(simulation::colorTemperatureGain(kelvin));
   };
   int warm = 0;
   int cold = 0;
@@ -148,8 +148,8 @@ TEST(ScenarioIllumination, AShadowPassesOverTheBall) {
     const ScenarioDraft draft = draftOf(experiment::scenarios::lampScenarios(), "S20-shadow", seed);
     const auto shadow = faultsOf(draft).illumination.shadow;
     ASSERT_TRUE(shadow);
-    EXPECT_GE(shadow->depth, 0.8F);
-    EXPECT_LE(shadow->depth, 1.0F);
+    EXPECT_GE(shadow->blockedFraction, 0.8F);
+    EXPECT_LE(shadow->blockedFraction, 1.0F);
     EXPECT_GE(shadow->halfWidth, 0.05F);
     EXPECT_LE(shadow->halfWidth, 0.2F);
     EXPECT_GE(shadow->speed, 0.1);

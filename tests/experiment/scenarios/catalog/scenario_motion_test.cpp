@@ -27,7 +27,7 @@ namespace {
 std::vector<Eigen::Vector3d> validTruthAt(const ScenarioRun& run, std::int64_t frame) {
   const auto first = static_cast<std::size_t>(frame) * run.targets.size();
   for (std::size_t k = first; k < first + run.targets.size(); ++k) {
-    EXPECT_TRUE(run.truth.samples.at(k).valid);
+    EXPECT_TRUE(run.truth.samples.at(k).isValid);
   }
   return truthAt(run, frame);
 }

@@ -61,7 +61,7 @@ TEST(ScenarioOutOfView, TheBallIsNotInTheImagesThatItLeaves) {
     expectGone(all, 0, -1);
     expectGone(all, 1, -1);
     for (const TrajectorySample& sample : all.truth.samples) {
-      EXPECT_TRUE(sample.valid) << "it is still in the room";
+      EXPECT_TRUE(sample.isValid) << "it is still in the room";
     }
   }
 }
@@ -127,7 +127,7 @@ TEST(ScenarioCrowd, OnlyTheTargetIsInTheStartBox) {
   for (const char* name : {"S19-crowd-5", "S19-crowd-8", "S19-crowd-12"}) {
     const ScenarioRun run = scenarioRun(name);
     EXPECT_EQ(run.targets.size(), 1U);
-    EXPECT_EQ(run.equalCandidates, 1);
+    EXPECT_EQ(run.equalCandidateCount, 1);
     EXPECT_TRUE(((truthAt(run, 0)[0] - run.startCenter).array().abs() <= 0.02).all());
     EXPECT_EQ(run.startHalfSize, Eigen::Vector3d::Constant(0.05));
     // Six balls or more of 389 pixels at the middle's distance, some before others.
@@ -225,11 +225,11 @@ TEST(ScenarioCrowd, BallsTouchAndCoverTheTarget) {
 
 TEST(ScenarioCrowd, AnEvenStartFavorsNeither) {
   const ScenarioRun run = scenarioRun("S19-even-start");
-  EXPECT_EQ(run.equalCandidates, 2);
+  EXPECT_EQ(run.equalCandidateCount, 2);
   // The box reaches 0.05 m beyond both balls: the target is on its border but for those.
   const Eigen::Vector3d off = (truthAt(run, 0)[0] - run.startCenter).cwiseAbs();
   EXPECT_TRUE((run.startHalfSize - off).isApprox(Eigen::Vector3d::Constant(0.05), 1e-9));
-  EXPECT_EQ(scenarioRun("S0-slow").equalCandidates, 1);
+  EXPECT_EQ(scenarioRun("S0-slow").equalCandidateCount, 1);
 }
 
 TEST(ScenarioSeen, SameSeedSameBits) {

@@ -136,8 +136,8 @@ void expectHalfAngles(const simulation::SurfacePattern& pattern, std::size_t cou
   ASSERT_EQ(pattern.patches.size(), count);
   EXPECT_TRUE(pattern.seams.empty());
   for (const simulation::SurfacePatch& patch : pattern.patches) {
-    EXPECT_GE(std::acos(patch.cosine), least * kDegree - 1e-3);
-    EXPECT_LE(std::acos(patch.cosine), most * kDegree + 1e-3);
+    EXPECT_GE(std::acos(patch.maxAngleCosine), least * kDegree - 1e-3);
+    EXPECT_LE(std::acos(patch.maxAngleCosine), most * kDegree + 1e-3);
   }
 }
 
@@ -159,14 +159,14 @@ TEST(ScenarioPatterned, PaintIsAsLargeAsTheTableSays) {
     EXPECT_TRUE(seams->patches.empty());
     ASSERT_EQ(seams->seams.size(), 2U);
     EXPECT_NEAR(seams->seams[0].axis.dot(seams->seams[1].axis), 0.0F, 1e-5F);
-    EXPECT_GE(seams->seams[0].sine, 2.5 / 35.0 - 1e-5); // 5 to 7 mm
-    EXPECT_LE(seams->seams[0].sine, 3.5 / 35.0 + 1e-5);
+    EXPECT_GE(seams->seams[0].maxAngleSine, 2.5 / 35.0 - 1e-5); // 5 to 7 mm
+    EXPECT_LE(seams->seams[0].maxAngleSine, 3.5 / 35.0 + 1e-5);
     const simulation::MovingPart shiny = paintedBall("S12-highlight", seed);
     EXPECT_TRUE(shiny.pattern->patches.empty() && shiny.pattern->seams.empty());
-    EXPECT_GE(shiny.gloss.peak, 400.0F);
-    EXPECT_LE(shiny.gloss.peak, 600.0F);
-    EXPECT_GE(shiny.gloss.power, 20.0F);
-    EXPECT_LE(shiny.gloss.power, 60.0F);
+    EXPECT_GE(shiny.gloss.peakLevel, 400.0F);
+    EXPECT_LE(shiny.gloss.peakLevel, 600.0F);
+    EXPECT_GE(shiny.gloss.exponent, 20.0F);
+    EXPECT_LE(shiny.gloss.exponent, 60.0F);
   }
 }
 

@@ -87,13 +87,13 @@ TEST(ScenarioClicked, TheRangeIsThatOfOneClickOnTheDisc) {
     const Target& target = run.targets.front();
     ASSERT_GE(target.samples.size(), 1U) << word;
     const ColorSample& click = target.samples.front();
-    EXPECT_FALSE(click.found) << word;
+    EXPECT_FALSE(click.isFoundByGeometry) << word;
     // The others were found from it, on the disc.
     for (std::size_t i = 1; i < target.samples.size(); ++i) {
       const ColorSample& found = target.samples[i];
       const auto& other = run.trueRig.at(static_cast<std::size_t>(found.camera));
       const ImageDisc shown = discOf(other, truthAt(run, 0).front(), target.radius);
-      EXPECT_TRUE(found.found) << word;
+      EXPECT_TRUE(found.isFoundByGeometry) << word;
       EXPECT_LE((Eigen::Vector2d(found.x, found.y) - shown.center).norm(), 1.1 * shown.radius)
           << word;
     }

@@ -35,7 +35,10 @@ const std::vector<TableRow<CameraFaults>>& cameraRows() {
        {1e3, 6e3},
        {300, 3e3},
        [](const Of& c) { return c.sensor.noise.fullWellElectrons; }},
-      {"read noise", {2, 6}, {3, 10}, [](const Of& c) { return c.sensor.noise.readElectrons; }},
+      {"read noise",
+       {2, 6},
+       {3, 10},
+       [](const Of& c) { return c.sensor.noise.readNoiseElectrons; }},
       {"tone curve", {0.88, 1.12}, {0.75, 1.3}, [](const Of& c) { return c.sensor.contrast; }},
       {"sharpening", {0.2, 1}, {0.2, 2}, [](const Of& c) { return c.sensor.sharpening.amount; }},
       {"its sigma, px",
@@ -47,11 +50,11 @@ const std::vector<TableRow<CameraFaults>>& cameraRows() {
       {"right",
        {-0.12, 0.12},
        {-0.25, 0.25},
-       [](const Of& c) { return c.unevenLight.gainToRight; }},
+       [](const Of& c) { return c.unevenLight.lightGainTowardRight; }},
       {"down",
        {-0.12, 0.12},
        {-0.25, 0.25},
-       [](const Of& c) { return c.unevenLight.gainToBottom; }},
+       [](const Of& c) { return c.unevenLight.lightGainTowardBottom; }},
       {"exposure, s",
        {0.010, 0.033},
        {0.010, 0.033},
@@ -67,7 +70,7 @@ const std::vector<TableRow<CameraFaults>>& cameraRows() {
       {"off at frame 0, stops",
        {-0.3, 0.3},
        {-1.0, 1.0},
-       [](const Of& c) { return c.automaticGain->initialErrorStops; }},
+       [](const Of& c) { return c.automaticGain->initialExposureErrorStops; }},
       {"blue, stops",
        {-0.12, 0.12},
        {-0.25, 0.25},
@@ -79,7 +82,7 @@ const std::vector<TableRow<CameraFaults>>& cameraRows() {
       {"hunting, stops",
        {0, 0.2},
        {0, 0.5},
-       [](const Of& c) { return c.automaticGain->huntingStops; }},
+       [](const Of& c) { return c.automaticGain->huntingAmplitudeStops; }},
       {"its period, s",
        {2, 6},
        {1, 5},
@@ -87,15 +90,15 @@ const std::vector<TableRow<CameraFaults>>& cameraRows() {
       {"speed of the control",
        {0.05, 0.25},
        {0.05, 0.3},
-       [](const Of& c) { return c.automaticGain->exposure.speed; }},
+       [](const Of& c) { return c.automaticGain->exposureLoop.correctedFractionPerFrame; }},
       {"its delay, frames",
        {1, 4},
        {1, 4},
-       [](const Of& c) { return double(c.automaticGain->exposure.lagFrames); }},
-      {"delay, frames", {0, 0.5}, {0, 0.5}, [](const Of& c) { return 30.0 * c.timing.delay; }},
-      {"jitter, s", {0, 0.003}, {0, 0.006}, [](const Of& c) { return c.timing.jitter; }},
-      {"dropped", {0, 0.02}, {0, 0.08}, [](const Of& c) { return c.timing.droppedShare; }},
-      {"doubled", {0, 0.02}, {0, 0.08}, [](const Of& c) { return c.timing.repeatedShare; }},
+       [](const Of& c) { return double(c.automaticGain->exposureLoop.lagInFrames); }},
+      {"delay, frames", {0, 0.5}, {0, 0.5}, [](const Of& c) { return 30.0 * c.timing.delaySeconds; }},
+      {"jitter, s", {0, 0.003}, {0, 0.006}, [](const Of& c) { return c.timing.jitterSeconds; }},
+      {"dropped", {0, 0.02}, {0, 0.08}, [](const Of& c) { return c.timing.droppedFrameShare; }},
+      {"doubled", {0, 0.02}, {0, 0.08}, [](const Of& c) { return c.timing.repeatedFrameShare; }},
       {"warming up, rad",
        {0, 0.001},
        {0, 0.003},
@@ -122,11 +125,11 @@ const std::vector<TableRow<SensingFaults>>& runRows() {
       {"flicker",
        {0, 0.35},
        {0, 0.9},
-       [](const Of& run) { return run.cameras.front().sensor.flicker.depth; }},
+       [](const Of& run) { return run.cameras.front().sensor.flicker.modulationDepth; }},
       {"shadow, depth",
        {0.3, 0.9},
        {0.5, 1.0},
-       [](const Of& run) { return double(run.illumination.shadow->depth); }},
+       [](const Of& run) { return double(run.illumination.shadow->blockedFraction); }},
       {"shadow, half width, m",
        {0.05, 0.3},
        {0.05, 0.4},
@@ -142,7 +145,7 @@ const std::vector<TableRow<SensingFaults>>& runRows() {
 /// The faults of 200 runs.
 std::vector<SensingFaults> drawnRuns(Grade grade) {
   FaultContext context;
-  context.cameras = kCameras;
+  context.cameraCount = kCameras;
   std::vector<SensingFaults> runs;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     RandomDraws draws(seed, "grade test");
@@ -182,7 +185,7 @@ TEST(GradeTable, CamerasAreDrawnFromAllOfIt) {
 TEST(GradeTable, RunsAreDrawnFromAllOfIt) {
   // The color of a lamp: how much stronger it is in red than in blue.
   const auto redness = [](double kelvin) {
-    const Eigen::Vector3d gain = simulation::temperatureGain(kelvin);
+    const Eigen::Vector3d gain = simulation::colorTemperatureGain(kelvin);
     return gain[2] / gain[0];
   };
   for (const Grade grade : {Grade::Room, Grade::Wild}) {
@@ -211,8 +214,8 @@ TEST(GradeTable, CalibrationErrorsAreThoseOfTheTable) {
   for (const auto& [grade, times] : {std::pair(Grade::Room, 1.0), std::pair(Grade::Wild, 2.0)}) {
     const CalibrationError error = drawnRuns(grade).front().cameras.front().calibration;
     EXPECT_NEAR(error.relativeFocalLength, times * 0.005, 1e-12);
-    EXPECT_NEAR(error.position, times * 0.002, 1e-12);
-    EXPECT_NEAR(error.rotation, times * 0.2 * kDegree, 1e-12);
+    EXPECT_NEAR(error.positionMeters, times * 0.002, 1e-12);
+    EXPECT_NEAR(error.rotationRadians, times * 0.2 * kDegree, 1e-12);
     EXPECT_NEAR(error.radialDistortion, times * 0.01, 1e-12);
   }
 }
@@ -221,8 +224,9 @@ TEST(GradeTable, TheControlIsStable) {
   for (const Grade grade : {Grade::Room, Grade::Wild}) {
     for (const SensingFaults& run : drawnRuns(grade)) {
       for (const CameraFaults& camera : run.cameras) {
-        const simulation::ControlLoop& loop = camera.automaticGain->exposure;
-        EXPECT_LT(loop.speed, 2.0 * std::sin(std::numbers::pi / (4.0 * loop.lagFrames + 2.0)));
+        const simulation::ControlLoop& loop = camera.automaticGain->exposureLoop;
+        EXPECT_LT(loop.correctedFractionPerFrame,
+                  2.0 * std::sin(std::numbers::pi / (4.0 * loop.lagInFrames + 2.0)));
       }
     }
   }

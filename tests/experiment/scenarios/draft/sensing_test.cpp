@@ -31,8 +31,8 @@ TEST(CameraTiming, IsRightUnlessSetOtherwise) {
 
 TEST(CameraTiming, DropsAndDoublesItsShares) {
   CameraTiming timing;
-  timing.droppedShare = 0.1;
-  timing.repeatedShare = 0.2;
+  timing.droppedFrameShare = 0.1;
+  timing.repeatedFrameShare = 0.2;
   int dropped = 0;
   int doubled = 0;
   for (std::int64_t frame = 0; frame < 2000; ++frame) {
@@ -60,7 +60,7 @@ TEST(CameraTiming, FreezesAtTheLastImageBefore) {
 
 TEST(CameraTiming, ExposesBeforeTheStamp) {
   CameraTiming timing;
-  timing.delay = 0.012;
+  timing.delaySeconds = 0.012;
   timing.clockDrift = 0.001;
   EXPECT_NEAR(midExposureTime(timing, 5.0), 5.0 - 0.012 - 0.005, 1e-12);
 }
@@ -68,7 +68,7 @@ TEST(CameraTiming, ExposesBeforeTheStamp) {
 TEST(CalibrationErrors, HaveTheStatedSizes) {
   const Camera truth = scenarioRun("S0-slow").trueRig[0];
   RandomDraws draws(5, "calibration test");
-  EXPECT_EQ(miscalibrated(truth, {}, draws), truth);
+  EXPECT_EQ(withCalibrationError(truth, {}, draws), truth);
   const CalibrationError error{0.005, 0.002, 0.003, 0.01};
   constexpr int kDraws = 2000;
   double focal = 0.0;
@@ -76,7 +76,7 @@ TEST(CalibrationErrors, HaveTheStatedSizes) {
   double rotation = 0.0;
   double radial = 0.0;
   for (int i = 0; i < kDraws; ++i) {
-    const Camera camera = miscalibrated(truth, error, draws);
+    const Camera camera = withCalibrationError(truth, error, draws);
     focal += std::pow(camera.intrinsics.focalX / truth.intrinsics.focalX - 1.0, 2);
     position += (camera.center() - truth.center()).squaredNorm();
     const Eigen::AngleAxisd turn(Eigen::Matrix3d(camera.cameraFromWorld.linear() *
@@ -93,15 +93,15 @@ TEST(CalibrationErrors, HaveTheStatedSizes) {
 
 TEST(Grades, LampsLightTheTargetMoreThanFarWalls) {
   FaultContext context;
-  context.cameras = 1;
+  context.cameraCount = 1;
   context.targetStart = {0.5, 0.5, 0.15};
   for (const Grade grade : {Grade::Room, Grade::Wild}) {
     RandomDraws draws(4, "lamp test");
     for (const auto& lamp :
          randomFaults(gradeModel(grade), context, draws).illumination.additionalLamps) {
       const float distance = (lamp.position - context.targetStart.cast<float>()).norm();
-      EXPECT_FLOAT_EQ(lamp.falloff(distance), 1.0F);
-      EXPECT_FLOAT_EQ(lamp.falloff(2.0F * distance), 0.25F);
+      EXPECT_FLOAT_EQ(lamp.falloffAt(distance), 1.0F);
+      EXPECT_FLOAT_EQ(lamp.falloffAt(2.0F * distance), 0.25F);
     }
   }
 }
@@ -110,7 +110,7 @@ TEST(Grades, LampsLightTheTargetMoreThanFarWalls) {
 /// bands, of the mean light.
 double strongestBands(Grade grade) {
   FaultContext context;
-  context.cameras = 2;
+  context.cameraCount = 2;
   double most = 0.0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     RandomDraws draws(seed, "band test");

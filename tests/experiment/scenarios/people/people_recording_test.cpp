@@ -90,7 +90,7 @@ TEST(PeopleRecording, WhoIsThereDoesNotDependOnTheGrade) {
   for (const Grade grade : {Grade::Room, Grade::Wild}) {
     const PeopleRecording recording = recordedOffice(grade, 4);
     ASSERT_EQ(recording.scene.people.size(), ideal.scene.people.size());
-    EXPECT_EQ(recording.scene.people[0].position(3.0), ideal.scene.people[0].position(3.0));
+    EXPECT_EQ(recording.scene.people[0].positionAt(3.0), ideal.scene.people[0].positionAt(3.0));
     EXPECT_EQ(recording.scene.people[1].clothes.shirt, ideal.scene.people[1].clothes.shirt);
     EXPECT_EQ(recording.scene.frameCount, ideal.scene.frameCount);
   }

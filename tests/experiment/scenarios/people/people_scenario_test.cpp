@@ -34,7 +34,7 @@ double nearestOfTwo(const PeopleScenario& scenario) {
   const auto& people = scenario.scene.people;
   double nearest = 10.0;
   for (double time = kAppearTime; time < scenario.timeAfterMeeting; time += 0.02) {
-    nearest = std::min(nearest, (people[0].position(time) - people[1].position(time)).norm());
+    nearest = std::min(nearest, (people[0].positionAt(time) - people[1].positionAt(time)).norm());
   }
   return nearest;
 }
@@ -115,15 +115,16 @@ TEST(PeopleScenario, WhoSitsHasAStoolAndRises) {
       const double up = walker.postures[1].time;
       EXPECT_GT(up, down);
       // Stays where it is as long as it is not upright.
-      EXPECT_LT((walker.position(down) - walker.position(up)).norm(), 1e-9);
-      EXPECT_LT(walker.topHeight(down), 0.8 * walker.height); // sitting: 0.77 of the height
-      EXPECT_EQ(walker.topHeight(scenario.timeAfterMeeting), walker.height);
+      EXPECT_LT((walker.positionAt(down) - walker.positionAt(up)).norm(), 1e-9);
+      EXPECT_LT(walker.topHeightAt(down), 0.8 * walker.height); // sitting: 0.77 of the height
+      EXPECT_EQ(walker.topHeightAt(scenario.timeAfterMeeting), walker.height);
       EXPECT_GT(walker.postures[0].time, scenario.timeBeforeMeeting);
     }
     ASSERT_EQ(scenario.scene.furniture.size(), 1U);
     const auto& stool = scenario.scene.furniture[0];
-    EXPECT_LT((stool.poseAt(0.0).position - people[0].position(people[0].postures[1].time)).norm(),
-              1e-9);
+    EXPECT_LT(
+        (stool.poseAt(0.0).position - people[0].positionAt(people[0].postures[1].time)).norm(),
+        1e-9);
   }
 }
 
@@ -143,7 +144,7 @@ TEST(PeopleScenario, ACrowdIsOfFiveAndMore) {
     for (const Walker& walker : scenario.scene.people) {
       EXPECT_GE(walker.height, 1.5);
       for (double time = kAppearTime; time < scenario.timeAfterMeeting; time += 0.1) {
-        const Eigen::Vector2d position = walker.position(time);
+        const Eigen::Vector2d position = walker.positionAt(time);
         EXPECT_LT(position.cwiseAbs().maxCoeff(), 2.6); // off the walls
       }
     }

@@ -27,7 +27,7 @@ TEST(PiecewisePath, FallsByHalfOfGravityTimesTheSquareOfTheTime) {
   EXPECT_LT((path(0.3) - Eigen::Vector3d(1.0, 2.0, 3.0)).norm(), kClose);
   EXPECT_NEAR(path(0.7).z(), 3.0 - 0.5 * 9.81 * 0.04, kClose);
   EXPECT_NEAR(path(5.0).z(), 3.0 - 0.5 * 9.81 * 0.16, kClose) << "it stays where it ended";
-  EXPECT_NEAR(path.end(), 0.9, kClose);
+  EXPECT_NEAR(path.endTime(), 0.9, kClose);
   EXPECT_NEAR(path.velocity().z(), -9.81 * 0.4, kClose);
 }
 
@@ -40,7 +40,7 @@ TEST(PiecewisePath, AThrowIsABallisticArcFromRestToRest) {
   EXPECT_LT((path.position() - to).norm(), kClose);
   EXPECT_LT(path.velocity().norm(), kClose);
   // A swing of 0.06 s, the flight, and a swing.
-  EXPECT_NEAR(path.end(), 0.2 + 0.06 + 0.3 + 0.06, kClose);
+  EXPECT_NEAR(path.endTime(), 0.2 + 0.06 + 0.3 + 0.06, kClose);
   for (const double time : {0.28, 0.41, 0.54}) { // in flight
     const Eigen::Vector3d acceleration =
         (path(time + 0.01) - 2.0 * path(time) + path(time - 0.01)) / 1e-4;
@@ -75,7 +75,7 @@ TEST(PiecewisePath, BouncesLoseTheirShareOfTheSpeed) {
   // It rises to 0.49 of the height.
   EXPECT_NEAR(path(fall + 0.7 * fall).z(), kFloor + 0.049, 1e-6);
   double lowest = HUGE_VAL;
-  for (double time = 0.0; time < path.end(); time += 0.001) {
+  for (double time = 0.0; time < path.endTime(); time += 0.001) {
     lowest = std::min(lowest, path(time).z());
   }
   EXPECT_GT(lowest, kFloor - kClose);
@@ -83,7 +83,7 @@ TEST(PiecewisePath, BouncesLoseTheirShareOfTheSpeed) {
   EXPECT_EQ(path.velocity().norm(), 0.0);
   // Speeds 1.40, 0.98, 0.69, 0.48, 0.34, 0.24, 0.165 m/s; 0.115 is below a millimeter's. Between
   // two contacts it flies for twice the speed over gravity.
-  EXPECT_NEAR(path.end(),
+  EXPECT_NEAR(path.endTime(),
               fall + 2.0 / 9.81 * speed * (0.7 + 0.49 + 0.343 + 0.2401 + 0.16807 + 0.117649), 1e-9);
 }
 

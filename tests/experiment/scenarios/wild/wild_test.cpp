@@ -75,9 +75,9 @@ TEST(WildRoom, LeavesTheMiddleAndTheCamerasFree) {
     RandomDraws draws(seed, "wild room test");
     const simulation::RoomDesign design = randomRoom(Furnishing::ClutteredDesk, rig, draws);
     ASSERT_TRUE(design.wallMaterial);
-    ASSERT_TRUE(design.lamp);
-    EXPECT_GT(design.lamp->z(), 1.2F);
-    EXPECT_LT(design.lamp->z(), 2.0F) << "below the ceiling, z = 2.05";
+    ASSERT_TRUE(design.lampPosition);
+    EXPECT_GT(design.lampPosition->z(), 1.2F);
+    EXPECT_LT(design.lampPosition->z(), 2.0F) << "below the ceiling, z = 2.05";
     for (const simulation::Solid& solid : design.additionalFurniture.solids()) {
       ++objects;
       const auto apart = [&](double x, double y) {
@@ -130,7 +130,7 @@ TEST(WildRoom, PeopleWalkBehindTheVolume) {
     for (const simulation::Walker& walker : randomPeople(Furnishing::Desk, 6.0, draws)) {
       ++people;
       for (const double time : {0.0, 3.0, 6.0}) {
-        const Eigen::Vector2d position = walker.position(time);
+        const Eigen::Vector2d position = walker.positionAt(time);
         EXPECT_NEAR(position.maxCoeff(), std::max(1.75, position.minCoeff()), 0.16);
         EXPECT_GT(position.minCoeff(), -1.1);
       }

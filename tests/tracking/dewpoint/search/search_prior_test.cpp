@@ -14,7 +14,7 @@ const Eigen::Vector3d kStart(1.0, 2.0, 0.5);
 const Eigen::Vector3d kFound(3.0, 0.0, 1.0);
 constexpr double kRoom = 4.0; ///< meters
 
-/// Standard deviation of 0.1 m: with the 0.1 m that confirm() adds, a variance of 0.02 m².
+/// Standard deviation of 0.1 m: with the 0.1 m that confirmPosition() adds, a variance of 0.02 m².
 Gaussian3 found() {
   return {kFound, 0.01 * Eigen::Matrix3d::Identity()};
 }
@@ -44,7 +44,7 @@ TEST(SearchPrior, FavorsTheCenterOfTheStartVolume) {
 
 TEST(SearchPrior, LiesAroundTheLastConfirmedPosition) {
   SearchPrior prior = startingIn(0.5);
-  prior.confirm(found());
+  prior.confirmPosition(found());
   ASSERT_TRUE(prior.lastPosition());
   EXPECT_EQ(*prior.lastPosition(), kFound);
   EXPECT_NEAR(prior.birthDensity(kFound, kRoom), 0.5 * peak(std::sqrt(0.02)) + 0.5 / 64.0, 1e-9);
@@ -58,7 +58,7 @@ TEST(SearchPrior, WidensWhileNothingIsConfirmed) {
   SearchPrior prior = startingIn(0.5);
   prior.widen(0.5, kRoom); // nothing to widen yet
   EXPECT_NEAR(prior.birthDensity(kStart, kRoom), 0.5 * peak(0.25) + 0.5 / 64.0, 1e-9);
-  prior.confirm(found());
+  prior.confirmPosition(found());
   prior.widen(0.5, kRoom);
   const double sigma = std::sqrt(0.02) + 0.25;
   EXPECT_NEAR(prior.birthDensity(kFound, kRoom), 0.5 * peak(sigma) + 0.5 / 64.0, 1e-9);
@@ -77,7 +77,7 @@ TEST(SearchPrior, HasNoDensityOutsideTheBounds) {
   EXPECT_EQ(prior.birthDensity(kStart, kRoom, bounds), prior.birthDensity(kStart, kRoom));
   EXPECT_GT(prior.birthDensity(beside, kRoom), 0.0);
   EXPECT_EQ(prior.birthDensity(beside, kRoom, bounds), 0.0);
-  prior.confirm(found());
+  prior.confirmPosition(found());
   EXPECT_EQ(prior.birthDensity(kFound, kRoom, bounds), 0.0);
 }
 
@@ -87,11 +87,11 @@ TEST(SearchPrior, DrawsFromTheStartVolumeAndThenAroundThePosition) {
   constexpr Eigen::Index kCount = 20000;
   const RandomStream stream(7, 0, 0, RandomPurpose::Start);
   SearchPrior prior = startingIn(0.5);
-  const Eigen::ArrayXXd uniform = prior.draw(kCount, stream);
+  const Eigen::ArrayXXd uniform = prior.drawPositions(kCount, stream);
   ASSERT_EQ(uniform.rows(), kCount);
   ASSERT_EQ(uniform.cols(), 3);
-  prior.confirm(found());
-  const Eigen::ArrayXXd normal = prior.draw(kCount, stream);
+  prior.confirmPosition(found());
+  const Eigen::ArrayXXd normal = prior.drawPositions(kCount, stream);
   ASSERT_EQ(normal.rows(), kCount);
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     EXPECT_LE((uniform.col(axis) - kStart[axis]).abs().maxCoeff(), 0.5);

@@ -26,7 +26,7 @@ TEST(TimeBudget, WithoutALimitEverythingIsDone) {
   budget.adaptParticleCount(2000.0);
   EXPECT_EQ(done, 100);
   EXPECT_FALSE(budget.isLimited());
-  EXPECT_FALSE(budget.affordableParticles());
+  EXPECT_FALSE(budget.affordableParticleCount());
 }
 
 TEST(TimeBudget, WhatFitsIsDone) {
@@ -60,32 +60,32 @@ TEST(TimeBudget, UrgentWorkIsDoneAtOnce) {
 
 TEST(TimeBudget, ParticlesFallAtOnceDownToTen) {
   TimeBudget budget = begun(kFemtosecond);
-  EXPECT_FALSE(budget.affordableParticles()); // nothing is known yet
+  EXPECT_FALSE(budget.affordableParticleCount()); // nothing is known yet
   budget.adaptParticleCount(2000.0);
-  EXPECT_EQ(budget.affordableParticles(), 500.0); // by four at most
+  EXPECT_EQ(budget.affordableParticleCount(), 500.0); // by four at most
   budget.adaptParticleCount(2000.0);
-  EXPECT_EQ(budget.affordableParticles(), 125.0);
+  EXPECT_EQ(budget.affordableParticleCount(), 125.0);
   for (int k = 0; k < 3; ++k) {
     budget.adaptParticleCount(2000.0);
   }
-  EXPECT_EQ(budget.affordableParticles(), 10.0);
+  EXPECT_EQ(budget.affordableParticleCount(), 10.0);
 }
 
 TEST(TimeBudget, ParticlesRiseSlowlyToTheMost) {
   TimeBudget budget = begun(kDay);
   budget.adaptParticleCount(100.0);
-  EXPECT_EQ(budget.affordableParticles(), 100.0);
+  EXPECT_EQ(budget.affordableParticleCount(), 100.0);
   budget.adaptParticleCount(2000.0);
-  EXPECT_DOUBLE_EQ(*budget.affordableParticles(), 110.0);
+  EXPECT_DOUBLE_EQ(*budget.affordableParticleCount(), 110.0);
 }
 
 TEST(TimeBudget, AnotherLimitForgetsTheOld) {
   TimeBudget budget = begun(kFemtosecond);
   budget.adaptParticleCount(2000.0);
   budget.setLimit(kFemtosecond);
-  EXPECT_TRUE(budget.affordableParticles()); // the same again changes nothing
+  EXPECT_TRUE(budget.affordableParticleCount()); // the same again changes nothing
   budget.setLimit(kDay);
-  EXPECT_FALSE(budget.affordableParticles());
+  EXPECT_FALSE(budget.affordableParticleCount());
 }
 
 } // namespace

@@ -27,7 +27,7 @@ TEST(AdaptiveProcessNoise, AllowsEverythingAtFirst) {
   AdaptiveProcessNoise processNoise;
   EXPECT_EQ(processNoise.nextMotion(kAllowed).accelerationSigma, 8.0);
   EXPECT_EQ(processNoise.nextMotion(kAllowed).interval, kInterval);
-  EXPECT_EQ(processNoise.unseenSteps(), 0);
+  EXPECT_EQ(processNoise.unseenStepCount(), 0);
 }
 
 TEST(AdaptiveProcessNoise, LearnsCalmWithinASecondAndUnrestAtOnce) {
@@ -102,7 +102,7 @@ TEST(AdaptiveProcessNoise, TheMarginMakesUpForWhatIsAllowed) {
     EXPECT_GT(eigen.eigenvalues()[0], -1e-12) << step;
   }
   processNoise.recordSeen();
-  EXPECT_EQ(processNoise.unseenSteps(), 0);
+  EXPECT_EQ(processNoise.unseenStepCount(), 0);
   EXPECT_TRUE(processNoise.gatingCovariance().isZero());
 }
 

@@ -171,7 +171,7 @@ TEST_F(BernoulliTrackTest, NoTrackIsCreatedOutsideTheBounds) {
   update({{kThere, kRadius, 0.0}});
   EXPECT_EQ(track_.mostLikelyHypothesis(), nullptr);
   const SphereEstimate searched = track_.estimate(observation_);
-  EXPECT_FALSE(searched.valid);
+  EXPECT_FALSE(searched.isValid);
   EXPECT_TRUE(boundsFrom(0.05).contains(searched.mean, 1e-9)) << searched.mean.transpose();
   track_.setBounds(boundsFrom(-1.0));
   update({{kThere, kRadius, 0.0}});
@@ -282,7 +282,7 @@ TEST_F(TwoEqualBalls, AreResolvedAndTheAmbiguityStays) {
   const SphereEstimate estimate = track_.estimate(observation_);
   EXPECT_NEAR(estimate.existenceProbability, first,
               1e-9); // (first + second) (1 - second / (first + second))
-  EXPECT_TRUE(estimate.valid);
+  EXPECT_TRUE(estimate.isValid);
   update(); // the rival is gone for good
   EXPECT_EQ(track_.hypotheses().size(), 1U);
 }
@@ -301,7 +301,7 @@ TEST_F(BernoulliTrackTest, ForgetsEverythingAtARestart) {
   track_.restart({}, 3);
   EXPECT_TRUE(track_.hypotheses().empty());
   EXPECT_FALSE(track_.expectedSphere());
-  EXPECT_FALSE(track_.estimate(observation_).valid);
+  EXPECT_FALSE(track_.estimate(observation_).isValid);
 }
 
 } // namespace

@@ -61,8 +61,8 @@ TEST(HypothesisMasses, WhatMayBeAPartOfSomethingLargerIsNeverSure) {
   std::vector<TrackHypothesis> all{at(0, 0.99), at(1, 0.99), at(2, 0.99), at(3, 0.5)};
   all[0].wasRimSeen = true;
   all[1].wasRimSeen = true;
-  all[1].secondsSinceRim = TrackHypothesis::kRimMemorySeconds + 0.01; // for too long
-  capMassWithoutRim(all);
+  all[1].secondsSinceRimSeen = TrackHypothesis::kRimMemorySeconds + 0.01; // for too long
+  limitHypothesesWithoutRim(all);
   EXPECT_EQ(probabilitiesOf(all), (std::vector<double>{0.99, 0.9, 0.9, 0.5}));
 }
 
@@ -132,18 +132,18 @@ TEST(HypothesisMasses, EvidenceCountsUpToThreeQuartersOfTheBest) {
 // 8 against 1 + 1 and nothing there 2: 8 / 12.
 TEST(ShareOfLargest, ByHand) {
   const std::vector<double> masses{std::log(1.0), std::log(8.0), std::log(1.0)};
-  EXPECT_NEAR(probabilityOfLargest(masses, 2.0), 8.0 / 12.0, 1e-15);
+  EXPECT_NEAR(probabilityOfMostLikely(masses, 2.0), 8.0 / 12.0, 1e-15);
 }
 
 // Two that are equal to the last bit are each other's rivals: neither is more than an even chance.
 TEST(ShareOfLargest, ExactTiesAreRivals) {
   const std::vector<double> masses{-3.25, -3.25};
-  EXPECT_NEAR(probabilityOfLargest(masses, 0.0), 0.5, 1e-15);
-  EXPECT_LT(probabilityOfLargest(masses, 1e-9), 0.5);
+  EXPECT_NEAR(probabilityOfMostLikely(masses, 0.0), 0.5, 1e-15);
+  EXPECT_LT(probabilityOfMostLikely(masses, 1e-9), 0.5);
 }
 
 TEST(ShareOfLargest, OneAloneCompetesWithAbsence) {
-  EXPECT_NEAR(probabilityOfLargest(std::vector{std::log(3.0)}, 1.0), 0.75, 1e-15);
+  EXPECT_NEAR(probabilityOfMostLikely(std::vector{std::log(3.0)}, 1.0), 0.75, 1e-15);
 }
 
 TEST(HypothesisMasses, NothingBelievedMustBeSearchedFor) {

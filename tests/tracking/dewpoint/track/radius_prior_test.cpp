@@ -9,8 +9,8 @@ namespace {
 TEST(RadiusPrior, WithoutAnyKnowledgeEveryRadiusIsAsGood) {
   const RadiusPrior unknown;
   EXPECT_FALSE(unknown.isGiven());
-  EXPECT_EQ(unknown.penalty(0.01), 0.0);
-  EXPECT_EQ(unknown.penalty(10.0), 0.0);
+  EXPECT_EQ(unknown.penaltyFor(0.01), 0.0);
+  EXPECT_EQ(unknown.penaltyFor(10.0), 0.0);
   EXPECT_TRUE(unknown.allowsRadius(10.0));
   EXPECT_GT(unknown.expectedRadius(), 0.0);
 }
@@ -21,10 +21,10 @@ TEST(RadiusPrior, AGivenRadiusIsAGuess) {
   const RadiusPrior given(0.035);
   EXPECT_TRUE(given.isGiven());
   EXPECT_EQ(given.expectedRadius(), 0.035);
-  EXPECT_EQ(given.penalty(0.035), 0.0);
-  EXPECT_NEAR(given.penalty(1.1 * 0.035), 1.817, 1e-3);
-  EXPECT_NEAR(given.penalty(0.035 / 1.1), 1.817, 1e-3);
-  EXPECT_EQ(given.penalty(0.75 * 0.035), given.penalty(1.25 * 0.035));
+  EXPECT_EQ(given.penaltyFor(0.035), 0.0);
+  EXPECT_NEAR(given.penaltyFor(1.1 * 0.035), 1.817, 1e-3);
+  EXPECT_NEAR(given.penaltyFor(0.035 / 1.1), 1.817, 1e-3);
+  EXPECT_EQ(given.penaltyFor(0.75 * 0.035), given.penaltyFor(1.25 * 0.035));
   EXPECT_EQ(given.logVariance(), 0.0); // it holds until an outline contradicts it
   EXPECT_GT(RadiusPrior().logVariance(), 0.0);
   EXPECT_FALSE(given.contradicts(1.05 * 0.035));
@@ -56,7 +56,7 @@ TEST(RadiusPrior, WhatWasMeasuredIsRememberedUntilARestart) {
     prior.learn(0.035, 0.0004); // to a fiftieth
     EXPECT_EQ(prior.expectedRadius(), 0.035) << given;
     EXPECT_GT(prior.logVariance(), 0.0) << given;
-    EXPECT_EQ(prior.penalty(0.035), 0.0) << given;
+    EXPECT_EQ(prior.penaltyFor(0.035), 0.0) << given;
     EXPECT_FALSE(prior.allowsRadius(0.0175)) << given;
     prior.restart();
     EXPECT_EQ(prior.expectedRadius(), RadiusPrior(given).expectedRadius());

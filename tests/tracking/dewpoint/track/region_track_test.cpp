@@ -77,7 +77,7 @@ TEST(RegionTrack, StatesWhatNoFrameAveragesAway) {
   const double direction = 0.5 * std::numbers::pi / 180.0;
   RegionTrack track = trackOf(scene, kSolid, 30, direction);
   const SphereEstimate estimate = track.estimate(scene.observation());
-  EXPECT_TRUE(estimate.valid);
+  EXPECT_TRUE(estimate.isValid);
   const double sigma = std::sqrt(estimate.covariance.trace() / 3.0);
   EXPECT_GT(sigma, 0.006);
   EXPECT_LT(sigma, 0.02);

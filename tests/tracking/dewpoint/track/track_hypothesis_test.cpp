@@ -58,7 +58,7 @@ protected:
 // the Gaussian. Five standard errors with the effective number of particles.
 TEST_F(TrackHypothesisTest, ParticlesRepresentTheGaussian) {
   constexpr Eigen::Index kCount = 50000;
-  drawParticles(hypothesis_, observation_, kCount, key_, team_);
+  sampleWeightedParticles(hypothesis_, observation_, kCount, key_, team_);
   ASSERT_EQ(hypothesis_.states.rows(), kCount);
   ASSERT_EQ(hypothesis_.states.cols(), 6);
   EXPECT_NEAR(hypothesis_.weights.sum(), 1.0, 1e-9);
@@ -80,14 +80,14 @@ TEST_F(TrackHypothesisTest, ParticlesRepresentTheGaussian) {
 
 TEST_F(TrackHypothesisTest, ParticlesDoNotDependOnThreadsButOnTheStream) {
   show({Ball{drawn::kMiddle}});
-  drawParticles(hypothesis_, observation_, 1000, key_, team_);
+  sampleWeightedParticles(hypothesis_, observation_, 1000, key_, team_);
   TrackHypothesis other = hypothesis_;
   ThreadTeam three(3);
-  drawParticles(other, observation_, 1000, key_, three);
+  sampleWeightedParticles(other, observation_, 1000, key_, three);
   EXPECT_TRUE((other.states == hypothesis_.states).all());
   EXPECT_TRUE((other.weights == hypothesis_.weights).all());
   other.streamNumber = 4;
-  drawParticles(other, observation_, 1000, key_, team_);
+  sampleWeightedParticles(other, observation_, 1000, key_, team_);
   EXPECT_FALSE((other.states == hypothesis_.states).all());
 }
 
@@ -95,7 +95,7 @@ TEST_F(TrackHypothesisTest, AnUpdateFindsTheBallAndConditionsTheGaussian) {
   const Eigen::Vector3d truth = drawn::kMiddle + Eigen::Vector3d(0.008, -0.006, 0.004);
   show({Ball{truth}});
   const Gaussian6 before = hypothesis_.gaussian;
-  const double factor = measurementUpdate(hypothesis_, observation_, 500, key_, team_);
+  const double factor = applyMeasurementUpdate(hypothesis_, observation_, 500, key_, team_);
   EXPECT_TRUE(hypothesis_.wasOutlineFound);
   EXPECT_GT(factor, 3.0); // 20 times likelier at least
   EXPECT_LT((hypothesis_.position() - truth).norm(), 1e-3);
@@ -113,18 +113,18 @@ TEST_F(TrackHypothesisTest, AnUpdateFindsTheBallAndConditionsTheGaussian) {
 }
 
 TEST_F(TrackHypothesisTest, AnUpdateWithoutTheBallSpeaksAgainst) {
-  drawParticles(hypothesis_, observation_, 500, key_, team_);
+  sampleWeightedParticles(hypothesis_, observation_, 500, key_, team_);
   show({});
-  const double factor = measurementUpdate(hypothesis_, observation_, 500, key_, team_);
+  const double factor = applyMeasurementUpdate(hypothesis_, observation_, 500, key_, team_);
   EXPECT_FALSE(hypothesis_.wasOutlineFound);
   EXPECT_LT(factor, -3.0);
   EXPECT_NEAR(hypothesis_.weights.sum(), 1.0, 1e-9);
 }
 
 TEST_F(TrackHypothesisTest, WithoutImagesAnUpdateChangesNothing) {
-  drawParticles(hypothesis_, observation_, 500, key_, team_);
+  sampleWeightedParticles(hypothesis_, observation_, 500, key_, team_);
   const TrackHypothesis before = hypothesis_;
-  EXPECT_NEAR(measurementUpdate(hypothesis_, observation_, 500, key_, team_), 0.0, 1e-9);
+  EXPECT_NEAR(applyMeasurementUpdate(hypothesis_, observation_, 500, key_, team_), 0.0, 1e-9);
   EXPECT_FALSE(hypothesis_.wasOutlineFound);
   EXPECT_EQ(hypothesis_.gaussian.mean, before.gaussian.mean);
   EXPECT_EQ(hypothesis_.gaussian.covariance, before.gaussian.covariance);
@@ -133,9 +133,9 @@ TEST_F(TrackHypothesisTest, WithoutImagesAnUpdateChangesNothing) {
 
 // An outline ten centimeters off, ten standard deviations, is another thing's.
 TEST_F(TrackHypothesisTest, AnOutlineFarAwayIsAnotherThings) {
-  drawParticles(hypothesis_, observation_, 500, key_, team_);
+  sampleWeightedParticles(hypothesis_, observation_, 500, key_, team_);
   show({Ball{drawn::kMiddle + Eigen::Vector3d(0.1, 0.0, 0.0)}});
-  EXPECT_LT(measurementUpdate(hypothesis_, observation_, 500, key_, team_), 0.0);
+  EXPECT_LT(applyMeasurementUpdate(hypothesis_, observation_, 500, key_, team_), 0.0);
   EXPECT_FALSE(hypothesis_.wasOutlineFound);
   EXPECT_LT((hypothesis_.position() - drawn::kMiddle).norm(), 0.05); // nearer to where it was
 }
@@ -156,7 +156,7 @@ TEST_F(TrackHypothesisTest, AFewSamplesLessDoNotRefuseAnOutline) {
   const Eigen::Vector3d rest = Eigen::Vector3d::Zero();
   ASSERT_GT(observation_.logLikelihoodRatio(hypothesis_.position(), rest),
             observation_.logLikelihoodRatio(drawn::kMiddle, rest) + 4.0);
-  measurementUpdate(hypothesis_, observation_, 500, key_, team_);
+  applyMeasurementUpdate(hypothesis_, observation_, 500, key_, team_);
   EXPECT_TRUE(hypothesis_.wasOutlineFound);
   EXPECT_LT((hypothesis_.position() - drawn::kMiddle).norm(), 4e-3);
 }
@@ -166,7 +166,7 @@ TEST_F(TrackHypothesisTest, AnUnknownRadiusIsLearnedLookByLook) {
   show({Ball{truth}});
   hypothesis_.radius = 0.031;
   hypothesis_.logRadiusVariance = 0.04;
-  measurementUpdate(hypothesis_, observation_, 500, key_, team_);
+  applyMeasurementUpdate(hypothesis_, observation_, 500, key_, team_);
   EXPECT_NEAR(hypothesis_.radius, 0.035, 0.03 * 0.035);
   EXPECT_LT(hypothesis_.logRadiusVariance, 0.04);
   EXPECT_GT(hypothesis_.logRadiusVariance, 0.0);
@@ -180,7 +180,7 @@ TEST_F(TrackHypothesisTest, ARadiusThatIsKnownStaysWhereOneCameraAloneSeesTheOut
   observation_.setImage(1, images_[1], 0.0, backgrounds_[1], classifier_);
   hypothesis_.radius = 0.033;
   hypothesis_.logRadiusVariance = 0.0004; // a fiftieth
-  measurementUpdate(hypothesis_, observation_, 500, key_, team_);
+  applyMeasurementUpdate(hypothesis_, observation_, 500, key_, team_);
   ASSERT_TRUE(hypothesis_.wasOutlineFound);
   EXPECT_EQ(hypothesis_.radius, 0.033);
   EXPECT_EQ(hypothesis_.logRadiusVariance, 0.0004);
@@ -201,9 +201,9 @@ TEST_F(TrackHypothesisTest, AMeasuredRadiusBecomesLessCertainUnlessOneCameraAlon
 }
 
 TEST(EvidenceVolume, GrowsWithTheCubeOfTheRadius) {
-  EXPECT_GT(evidenceVolume(0.035), 0.0);
-  EXPECT_NEAR(evidenceVolume(0.07) / evidenceVolume(0.035), 8.0, 1e-9);
-  EXPECT_LT(evidenceVolume(0.035), std::pow(0.035, 3)); // less than the ball's own size
+  EXPECT_GT(constantLikelihoodVolume(0.035), 0.0);
+  EXPECT_NEAR(constantLikelihoodVolume(0.07) / constantLikelihoodVolume(0.035), 8.0, 1e-9);
+  EXPECT_LT(constantLikelihoodVolume(0.035), std::pow(0.035, 3)); // less than the ball's own size
 }
 
 } // namespace

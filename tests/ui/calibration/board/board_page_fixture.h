@@ -42,10 +42,10 @@ protected:
   }
 
   void setBoard(const BoardGoal& goal) {
-    BoardGuideRequest request = calibrator().request();
+    BoardGuideRequest request = calibrator().guideRequest();
     request.board.board = shown_.board;
     request.goal = goal;
-    calibrator().setRequest(request);
+    calibrator().setGuideRequest(request);
   }
 
   void openRecording() {
@@ -63,7 +63,7 @@ protected:
           return inputs;
         },
         {});
-    QVERIFY(waitFor([&] { return calibrator().isLive(); }));
+    QVERIFY(waitFor([&] { return calibrator().usesLiveCameras(); }));
     setBoard(goal);
   }
 

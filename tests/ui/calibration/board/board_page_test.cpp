@@ -71,7 +71,7 @@ void BoardPageTest::aRecordingCalibratesInOneStep() {
   QVERIFY(calibrate());
   // The board is looked for first, and how far that is, is known; nobody looks for it afterwards.
   QVERIFY(!progress.isEmpty() && progress.first().first().toDouble() >= 0.0);
-  QVERIFY(!calibrator().isSearching());
+  QVERIFY(!calibrator().isSearchingRecording());
   QVERIFY2(calibrator().isApplied(), qPrintable(result()));
   QCOMPARE(history().count(), 1);
   QVERIFY(!history().undoText().isEmpty());
@@ -113,13 +113,13 @@ void BoardPageTest::framesWithoutTheBoardAreNamed() {
 
 void BoardPageTest::theFloorFrameCountsFromOne() {
   openRecording();
-  BoardGuideRequest request = calibrator().request();
+  BoardGuideRequest request = calibrator().guideRequest();
   request.board.floorFrame = 4;
-  calibrator().setRequest(request);
+  calibrator().setGuideRequest(request);
   auto* frame = find<QSpinBox>(QStringLiteral("boardFloorFrame"));
   QCOMPARE(frame->value(), 5);
   frame->setValue(8);
-  QCOMPARE(*calibrator().request().board.floorFrame, std::int64_t{7});
+  QCOMPARE(*calibrator().guideRequest().board.floorFrame, std::int64_t{7});
 }
 
 void BoardPageTest::theCommandLineGivesTheSameBits() {
@@ -127,7 +127,7 @@ void BoardPageTest::theCommandLineGivesTheSameBits() {
   QVERIFY(calibrate());
   auto inputs = dewpoint::app::openProject(std::filesystem::path(file("board.toml").toStdString()));
   QVERIFY(inputs.has_value());
-  const auto& request = calibrator().request();
+  const auto& request = calibrator().guideRequest();
   const auto seen = findBoards(inputs->project, *inputs->source, request.board);
   QVERIFY(seen.has_value());
   const auto outcome = calibrateFromBoards(inputs->project, *seen, request.board, request.goal);
@@ -184,10 +184,10 @@ void BoardPageTest::printsAndReports() {
   const QByteArray text = html.readAll();
   QVERIFY(text.contains("<svg"));
   QVERIFY(text.contains("In this volume"));
-  BoardGuideRequest large = calibrator().request();
+  BoardGuideRequest large = calibrator().guideRequest();
   large.board.board.squareSize *= 3.0;
   large.board.board.markerSize *= 3.0;
-  calibrator().setRequest(large);
+  calibrator().setGuideRequest(large);
   QSignalSpy split(&calibrator(), &BoardCalibrator::printedOnSeveralSheets);
   calibrator().printBoard(QStringLiteral("A4"), file("sheets.pdf"));
   QVERIFY(split.wait(kTimeoutMs));
@@ -201,24 +201,25 @@ void BoardPageTest::theBoardIsRemembered() {
   openRecording();
   window_.reset();
   openWindow(&openProject, file("board.toml").toStdString());
-  QVERIFY(calibrator().request().board.board == shown_.board);
+  QVERIFY(calibrator().guideRequest().board.board == shown_.board);
 }
 
 void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
   openLive({true, true});
-  BoardGuideRequest request = calibrator().request();
+  BoardGuideRequest request = calibrator().guideRequest();
   request.lensGuidance.requiredProjectionSigmaPx = 20.0; // coarse: it ends after the fewest views
   request.requiredPositionSigma = 0.05;
   request.rigGuidance.instantsPerPair = 4;
-  calibrator().setRequest(request);
+  calibrator().setGuideRequest(request);
   const auto before = project().cameras;
   QSignalSpy over(&calibrator(), &BoardCalibrator::calibrationEnded);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton);
   // What was taken is solved only: whatever stage says how far it is, none of them looks for a
   // board.
   int solving = 0, looking = 0;
-  connect(&calibrator(), &BoardCalibrator::progressChanged, this,
-          [&](double part) { ++(calibrator().isSearching() || part >= 0.0 ? looking : solving); });
+  connect(&calibrator(), &BoardCalibrator::progressChanged, this, [&](double part) {
+    ++(calibrator().isSearchingRecording() || part >= 0.0 ? looking : solving);
+  });
   // The board is moved on when a view was taken, or when this one gives nothing new.
   std::size_t taken = 0;
   int images = 0;

@@ -33,7 +33,7 @@ void BoardSearchPageTest::aWrongBoardIsSaid() {
   find<QComboBox>(QStringLiteral("boardKind"))->setCurrentIndex(0);
   Q_EMIT find<QComboBox>(QStringLiteral("boardKind"))->activated(0);
   find<QSpinBox>(QStringLiteral("boardColumns"))->setValue(12);
-  QCOMPARE(calibrator().request().board.board.columns, 11); // inner corners
+  QCOMPARE(calibrator().guideRequest().board.board.columns, 11); // inner corners
   QVERIFY(calibrate());
   QVERIFY(!calibrator().isApplied());
   QCOMPARE(history().count(), 0);
@@ -62,9 +62,9 @@ void BoardSearchPageTest::theBoardFindsItself() {
   QVERIFY(confirmed.wait(kTimeoutMs));
   QVERIFY(!calibrator().proposal());
   // Another one is proposed; the lengths stay.
-  BoardGuideRequest request = calibrator().request();
+  BoardGuideRequest request = calibrator().guideRequest();
   request.board.board = parseBoard("chessboard:9x6:0.04").value();
-  calibrator().setRequest(request);
+  calibrator().setGuideRequest(request);
   QSignalSpy proposed(&calibrator(), &BoardCalibrator::boardProposed);
   QVERIFY(waitFor([&] { return findButton->isEnabled(); }));
   QTest::mouseClick(findButton, Qt::LeftButton);
@@ -72,7 +72,7 @@ void BoardSearchPageTest::theBoardFindsItself() {
   QVERIFY(answer(QStringLiteral("Search all frames")) == nullptr); // nothing was searched
   QTest::mouseClick(answer(QStringLiteral("Use this board")), Qt::LeftButton);
   expectShownBoard();
-  QCOMPARE(calibrator().request().board.board.squareSize, 0.04);
+  QCOMPARE(calibrator().guideRequest().board.board.squareSize, 0.04);
   QCOMPARE(find<QSpinBox>(QStringLiteral("boardColumns"))->value(), 7);
   QCOMPARE(find<QComboBox>(QStringLiteral("boardKind"))->currentIndex(), 1);
   QCOMPARE(history().count(), 0);
@@ -81,7 +81,7 @@ void BoardSearchPageTest::theBoardFindsItself() {
 void BoardSearchPageTest::aMirroredVideoIsMendedWithOneClick() {
   // The camera mirrors the images of its file: as if the file were mirrored.
   Project mirrored = shown_.project();
-  mirrored.cameras[1].mirrored = true;
+  mirrored.cameras[1].isMirrored = true;
   QVERIFY(saveProject(mirrored, file("mirrored.toml").toStdString()).has_value());
   openWindow(&openProject, file("mirrored.toml").toStdString());
   setBoard({true, true});
@@ -92,8 +92,8 @@ void BoardSearchPageTest::aMirroredVideoIsMendedWithOneClick() {
            qPrintable(messages().text()));
   const int steps = history().count();
   QTest::mouseClick(answer(QStringLiteral("Mirror images")), Qt::LeftButton);
-  QVERIFY(!project().cameras[1].mirrored);
-  QVERIFY(!project().cameras[0].mirrored);
+  QVERIFY(!project().cameras[1].isMirrored);
+  QVERIFY(!project().cameras[0].isMirrored);
   QCOMPARE(history().count(), steps + 1);
   QVERIFY(waitFor([this] { return shown().frames != nullptr; }));
   QVERIFY(
@@ -104,9 +104,9 @@ void BoardSearchPageTest::aMirroredVideoIsMendedWithOneClick() {
 
 void BoardSearchPageTest::liveCamerasShowWhichBoardItIs() {
   openLive({true, false});
-  BoardGuideRequest request = calibrator().request();
+  BoardGuideRequest request = calibrator().guideRequest();
   request.board.board = parseBoard("chessboard:9x6:0.03").value();
-  calibrator().setRequest(request);
+  calibrator().setGuideRequest(request);
   QSignalSpy proposed(&calibrator(), &BoardCalibrator::boardProposed);
   auto* findButton = find<QPushButton>(QStringLiteral("boardFind"));
   scrollTo(findButton);
@@ -117,7 +117,7 @@ void BoardSearchPageTest::liveCamerasShowWhichBoardItIs() {
 }
 
 void BoardSearchPageTest::expectShownBoard() {
-  const BoardDescription& board = calibrator().request().board.board;
+  const BoardDescription& board = calibrator().guideRequest().board.board;
   QCOMPARE(board.kind, shown_.board.kind);
   QCOMPARE(board.columns, shown_.board.columns);
   QCOMPARE(board.rows, shown_.board.rows);

@@ -73,7 +73,7 @@ struct ShownBoard {
   /// Records left.mkv, right.mkv and board.toml. False when they cannot be written.
   bool record(const std::filesystem::path& folder, int frames = kPlaces) const {
     for (std::size_t k = 0; k < cameras.size(); ++k) {
-      auto writer = FrameWriter::video((folder / (cameras[k].name + ".mkv")).string(), 30.0);
+      auto writer = FrameWriter::createVideo((folder / (cameras[k].name + ".mkv")).string(), 30.0);
       for (int frame = 0; writer && frame < frames; ++frame) {
         if (!writer->write(picture(k, frame))) {
           return false;

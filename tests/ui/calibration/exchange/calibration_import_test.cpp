@@ -129,7 +129,7 @@ void CalibrationImportTest::goldenFilesAreTaken() {
     hints.metersPerUnit = parseLengthUnit(unit.toStdString());
   }
   if (!size.isEmpty()) {
-    hints.size = {1280, 720};
+    hints.imageSize = {1280, 720};
   }
   const auto expected = readCalibration((kGolden + file).toStdString(), hints);
   QVERIFY(expected);
@@ -252,7 +252,7 @@ void CalibrationImportTest::whatIsExportedComesBack() {
   // Cameras elsewhere; then they come back from the file.
   QVERIFY(window_->document().edit(QStringLiteral("elsewhere"), [](Project& project) {
     for (ProjectCamera& one : project.cameras) {
-      one.adjusted = true;
+      one.hasOwnCalibration = true;
       one.camera.cameraFromWorld.translation() += Eigen::Vector3d(0.1, 0.0, 0.0);
     }
   }));

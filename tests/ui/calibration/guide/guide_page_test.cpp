@@ -105,7 +105,7 @@ void GuidePageTest::followsTheProject() {
   choose(CalibrationProcedure::Grid);
   QVERIFY(window_->document().edit(QStringLiteral("move"), [](Project& project) {
     project.cameras[0].camera.cameraFromWorld.translation().x() += 0.01;
-    project.cameras[0].markAdjusted();
+    project.cameras[0].markCalibrationChanged();
   }));
   QVERIFY(known()->item(0, 2)->text().startsWith(QStringLiteral("○"))); // nobody measured it
   QVERIFY(known()->item(1, 2)->text().startsWith(QStringLiteral("✓")));
@@ -119,8 +119,8 @@ void GuidePageTest::theStripWaitsUntilTheGuideIsSeen() {
   QVERIFY(window_->document().edit(QStringLiteral("compute"), [](Project& project) {
     for (ProjectCamera& one : project.cameras) {
       one.camera.cameraFromWorld.translation().x() += 0.01;
-      one.markAdjusted();
-      one.calibrated.pose = recordOfPose(one.camera, CalibrationOrigin::Points, 0.001);
+      one.markCalibrationChanged();
+      one.calibrationRecord.pose = recordOfPose(one.camera, CalibrationOrigin::Points, 0.001);
     }
   }));
   QVERIFY(!find<QWidget>("guideStrip")->isVisible()); // the page stays where it is
@@ -148,7 +148,7 @@ void GuidePageTest::asksWhilePositionsAreGuesses() {
   for (std::size_t k = 0; k < guessed.cameras.size(); ++k) {
     const Intrinsics& image = guessed.cameras[k].camera.intrinsics;
     guessCalibration(guessed, k, {image.width, image.height});
-    guessed.cameras[k].markAdjusted();
+    guessed.cameras[k].markCalibrationChanged();
   }
   QVERIFY(window_->document().edit(QStringLiteral("guess"),
                                    [&](Project& project) { project = guessed; }));

@@ -175,14 +175,14 @@ void CalibrationClicksTest::singleKeysStayInThePanel() {
   auto* button = find<QPushButton>("pointAdd");
   button->click();
   button->setFocus();
-  const auto iterations = window_->shown()->iterations;
+  const auto iterations = window_->shown()->iterationCount;
   for (const Qt::Key key : {Qt::Key_M, Qt::Key_C, Qt::Key_I, Qt::Key_R, Qt::Key_Period}) {
     QTest::keyClick(button, key);
     QTest::keyClick(button, key, Qt::ShiftModifier);
   }
   letTimePass();
   QCOMPARE(mask->isChecked(), shown);
-  QCOMPARE(window_->shown()->iterations, iterations);
+  QCOMPARE(window_->shown()->iterationCount, iterations);
   QVERIFY(find<QDockWidget>("calibrationDock")->isVisible());
   // In a list, a letter begins the name that is typed.
   auto* table = find<QTableWidget>("pointsList");

@@ -40,11 +40,11 @@ TEST(LabelPlacer, ANeededLabelCoversALineRatherThanItsPoint) {
     places.avoid({QPointF(x, 0.0), QPointF(x, 100.0)});
   }
   EXPECT_FALSE(places.reservePlace(point, kLabel, {0.0, -1.0}));
-  const auto box = places.reserveEvenOverLines(point, kLabel, {0.0, -1.0});
+  const auto box = places.reservePlaceOverLines(point, kLabel, {0.0, -1.0});
   ASSERT_TRUE(box);
   EXPECT_LT(box->bottom(), point.y());
-  EXPECT_FALSE(
-      places.reserveInDirectionOnly({40.0, 50.0}, kLabel, {0.0, -1.0})); // this one may be left out
+  EXPECT_FALSE(places.reservePlaceInDirection({40.0, 50.0}, kLabel,
+                                              {0.0, -1.0})); // this one may be left out
 }
 
 TEST(LabelPlacer, NoLabelOfAPointOutOfSight) {
@@ -58,8 +58,8 @@ TEST(LabelPlacer, NoLabelOfAPointOutOfSight) {
 TEST(LabelPlacer, ALabelThatMayBeLeftOutHasOnePlace) {
   LabelPlacer places(kArea);
   const QPointF point(100.0, 50.0);
-  EXPECT_TRUE(places.reserveInDirectionOnly(point, kLabel, {1.0, -1.0}));
-  EXPECT_FALSE(places.reserveInDirectionOnly(point, kLabel, {1.0, -1.0}));
+  EXPECT_TRUE(places.reservePlaceInDirection(point, kLabel, {1.0, -1.0}));
+  EXPECT_FALSE(places.reservePlaceInDirection(point, kLabel, {1.0, -1.0}));
   EXPECT_TRUE(places.reservePlace(point, kLabel, {1.0, -1.0})); // elsewhere
 }
 

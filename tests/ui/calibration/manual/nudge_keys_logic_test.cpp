@@ -9,13 +9,13 @@ namespace {
 
 std::optional<KeyNudge> pressed(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier,
                                 KeyMode mode = KeyMode::Move) {
-  return nudgeOf(QKeyEvent(QEvent::KeyPress, key, modifiers), mode);
+  return nudgeForKey(QKeyEvent(QEvent::KeyPress, key, modifiers), mode);
 }
 
 void expectNudge(const std::optional<KeyNudge>& nudge, int axis, double factor) {
   ASSERT_TRUE(nudge);
   EXPECT_EQ(nudge->axis, axis);
-  EXPECT_DOUBLE_EQ(nudge->amount, factor);
+  EXPECT_DOUBLE_EQ(nudge->stepsOrPercent, factor);
 }
 
 TEST(NudgeKeys, ArrowsAndLettersDoTheSame) {
@@ -30,7 +30,7 @@ TEST(NudgeKeys, ArrowsAndLettersDoTheSame) {
       const auto byLetter = pressed(letter, Qt::NoModifier, mode);
       ASSERT_TRUE(byArrow && byLetter);
       EXPECT_EQ(byArrow->axis, byLetter->axis);
-      EXPECT_EQ(byArrow->amount, byLetter->amount);
+      EXPECT_EQ(byArrow->stepsOrPercent, byLetter->stepsOrPercent);
     }
   }
 }

@@ -105,7 +105,7 @@ void PlannerPageTest::theMapHasASentenceAndALegend() {
   QVERIFY2(summary->text().contains(QLatin1String("at most 5 mm")), qPrintable(summary->text()));
   // A stricter limit: less of the volume is within it.
   const auto within = [&] {
-    return summaryOf(*plan().map(), plan().mapOptions().goodSigma).fractionWithinLimit;
+    return summaryOf(*plan().map(), plan().mapOptions().maxGoodSigma).fractionWithinLimit;
   };
   const double share = within();
   find<QDoubleSpinBox>("mapGood")->setValue(0.5);
@@ -149,9 +149,9 @@ void PlannerPageTest::layerAndVolumeAreSet() {
   find<QDoubleSpinBox>("mapHeight")->setValue(900.0); // kept within the volume
   QCOMPARE(view().mapOptions().layerHeight, plan().volume().max().z());
   auto* volume = find<QCheckBox>("mapVolume");
-  const bool was = view().mapOptions().volumeShown;
+  const bool was = view().mapOptions().showsVolume;
   volume->click();
-  QCOMPARE(view().mapOptions().volumeShown, !was);
+  QCOMPARE(view().mapOptions().showsVolume, !was);
   Q_EMIT find<QComboBox>("mapQuantity")->activated(1);
   QVERIFY(view().mapOptions().quantity == MapQuantity::CameraCount);
   const Eigen::AlignedBox3d room = plan().volume();
@@ -213,11 +213,12 @@ void PlannerPageTest::aPlannedCameraIsDragged() {
 
 void PlannerPageTest::theBestPlaceIsFoundAndShown() {
   showMap();
-  const double before = summaryOf(*plan().map(), plan().mapOptions().goodSigma).fractionWithinLimit;
+  const double before =
+      summaryOf(*plan().map(), plan().mapOptions().maxGoodSigma).fractionWithinLimit;
   find<QPushButton>("planFind")->click();
   QVERIFY(waitFor([&] { return !plan().plannedCameras().empty(); }));
   QVERIFY(waitFor([&] { return plan().map()->cameraCount == project().cameras.size() + 1; }));
-  QVERIFY(summaryOf(*plan().map(), plan().mapOptions().goodSigma).fractionWithinLimit >= before);
+  QVERIFY(summaryOf(*plan().map(), plan().mapOptions().maxGoodSigma).fractionWithinLimit >= before);
   const Eigen::Vector3d place = plan().plannedCameras()[0].center();
   const Eigen::AlignedBox3d& box = plan().volume();
   const double away =
@@ -238,7 +239,7 @@ void PlannerPageTest::aSearchCanBeCanceled() {
   QVERIFY(find<QPushButton>("planCancel")->isVisible());
   QVERIFY(!find<QPushButton>("planFind")->isEnabled());
   find<QPushButton>("planCancel")->click();
-  QVERIFY(waitFor([&] { return !plan().positionSearch().isRunning(); }));
+  QVERIFY(waitFor([&] { return !plan().positionSearchJob().isRunning(); }));
   QVERIFY(plan().plannedCameras().empty());
   QVERIFY(find<QPushButton>("planFind")->isEnabled());
 }
@@ -252,9 +253,9 @@ void PlannerPageTest::draggingStaysFluid() {
   connect(&plan(), &RigPlanner::mapChanged, this, [&] { ++maps; });
   for (const bool volume : {false, true}) {
     MapOptions look = plan().mapOptions();
-    look.volumeShown = volume;
+    look.showsVolume = volume;
     plan().setMapOptions(look);
-    QVERIFY(waitFor([&] { return view().mapOptions().volumeShown == volume && view().isDrawn(); }));
+    QVERIFY(waitFor([&] { return view().mapOptions().showsVolume == volume && view().isDrawn(); }));
     // The least of some: what else the machine does comes and goes.
     double shown = 1e9, drawn = 1e9;
     for (int k = 0; k < 15; ++k) {

@@ -64,7 +64,7 @@ void PointsTest::enter(const std::vector<Eigen::Vector3d>& world,
   for (std::size_t k = 0; k < world.size(); ++k) {
     QTest::mouseClick(find<QPushButton>("pointAdd"), Qt::LeftButton);
     type(static_cast<int>(k), world[k]);
-    QVERIFY((project().points[k].world - world[k]).norm() < 1e-9);
+    QVERIFY((project().measuredPoints[k].world - world[k]).norm() < 1e-9);
     find<QPushButton>("pointClick")->click();
     for (int c = 0; c < 2; ++c) {
       const auto pixel = Projector(cameras[static_cast<std::size_t>(c)]).project(world[k]);
@@ -72,7 +72,7 @@ void PointsTest::enter(const std::vector<Eigen::Vector3d>& world,
       click(c, *pixel, Qt::AltModifier);
     }
     QTest::keyClick(layer(1), Qt::Key_Escape);
-    QCOMPARE(project().points[k].clicks.size(), std::size_t(2));
+    QCOMPARE(project().measuredPoints[k].clicks.size(), std::size_t(2));
   }
 }
 
@@ -151,7 +151,7 @@ void PointsTest::pointsOfOtherFramesAreFaint() {
   QVERIFY(shown().frameCount); // a recording
   const std::int64_t frame = shown().frame;
   enter({room().front()}, {camera(0), camera(1)});
-  for (const PointClick& one : project().points[0].clicks) {
+  for (const PointClick& one : project().measuredPoints[0].clicks) {
     QVERIFY(one.frame == frame);
   }
   find<QPushButton>("pointAdd")->click(); // the selected point is never faint
@@ -159,11 +159,11 @@ void PointsTest::pointsOfOtherFramesAreFaint() {
   find<QSlider>("gridOpacity")->setValue(0);
   action("actionNextFrame")->trigger();
   QVERIFY(waitFor([&] { return shown().frame > frame; }));
-  QVERIFY(isClickedOnlyInOtherFrames(project().points[0], shown().frame));
+  QVERIFY(isClickedOnlyInOtherFrames(project().measuredPoints[0], shown().frame));
   QVERIFY(draws(*layer(0)->parentWidget()));
   const QImage faint = picture();
   QVERIFY(window_->document().edit(QStringLiteral("clicked now"), [this](Project& project) {
-    for (PointClick& one : project.points[0].clicks) {
+    for (PointClick& one : project.measuredPoints[0].clicks) {
       one.frame = shown().frame;
     }
   }));

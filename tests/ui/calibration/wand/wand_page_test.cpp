@@ -94,7 +94,7 @@ void WandPageTest::refine(const SelectedRange& selectedRange) {
 void WandPageTest::refinesInOneStepAsTheCommandLineDoes() {
   // Roughly nudged: 3 cm off.
   QVERIFY(window_->document().edit(QStringLiteral("nudge"), [](Project& project) {
-    project.cameras[0].adjusted = true;
+    project.cameras[0].hasOwnCalibration = true;
     project.cameras[0].camera.cameraFromWorld.translation() += Eigen::Vector3d(0.03, 0.0, 0.0);
   }));
   const CameraRig before = cameras();

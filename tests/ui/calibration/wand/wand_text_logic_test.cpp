@@ -46,14 +46,15 @@ TEST(WandText, EveryTouchHasItsText) {
 TEST(WandText, EveryMissingMotionHasItsText) {
   std::set<QString> texts;
   for (int kind = 0; kind <= static_cast<int>(MissingMotion::SeenTogether); ++kind) {
-    texts.insert(motionGapMessage(
-        {.missing = static_cast<MissingMotion>(kind), .cameras = {1, 0}, .value = 0.06},
-        {"left", "right"}));
+    texts.insert(motionGapMessage({.missingMotion = static_cast<MissingMotion>(kind),
+                                   .cameras = {1, 0},
+                                   .motionAmount = 0.06},
+                                  {"left", "right"}));
   }
   for (int side = 0; side <= static_cast<int>(ImageSide::Bottom); ++side) {
-    texts.insert(motionGapMessage({.missing = MissingMotion::WholeImage,
+    texts.insert(motionGapMessage({.missingMotion = MissingMotion::WholeImage,
                                    .cameras = {1},
-                                   .value = 0.06,
+                                   .motionAmount = 0.06,
                                    .side = static_cast<ImageSide>(side)},
                                   {"left", "right"}));
   }
@@ -65,10 +66,10 @@ TEST(WandText, EveryMissingMotionHasItsText) {
 
 TEST(WandText, KnownBetterGivesBothErrors) {
   WandRefinement refinement;
-  const QString without = knownBetterMessage(refinement);
+  const QString without = lessAccurateResultMessage(refinement);
   refinement.beforeError = 0.0015;
   refinement.accuracy->cameras = {{0.006, 0.001}};
-  const QString text = knownBetterMessage(refinement);
+  const QString text = lessAccurateResultMessage(refinement);
   EXPECT_NE(text, without);
   EXPECT_TRUE(text.contains("1.5 mm") && text.contains("6.0 mm")) << text.toStdString();
 }

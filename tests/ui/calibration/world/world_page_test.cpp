@@ -115,8 +115,8 @@ void WorldPageTest::aMeasuredDistanceSetsTheScale() {
   distance->setValue(0.5);
   press("worldCheck");
   QVERIFY((camera(0).center() - camera(1).center()).norm() == apart); // nothing moved
-  QVERIFY(project().calibrated.check.has_value());
-  QCOMPARE(project().calibrated.check->measured, 0.5);
+  QVERIFY(project().worldRecord.lengthCheck.has_value());
+  QCOMPARE(project().worldRecord.lengthCheck->measuredLength, 0.5);
   QVERIFY(!find<QLabel>("worldResult")->text().isEmpty());
   press("worldLength");
   const double now = (camera(0).center() - camera(1).center()).norm();

@@ -18,10 +18,10 @@ namespace dewpoint::ui {
 class ViewDock;
 
 /// Sizes of each kind of view for a given window size, in pixels. Camera images have priority.
-struct ViewShares {
+struct ViewSizes {
   QSize cameraAreaSize; ///< maximum size of all camera views together
   /// Minimum width of all camera views together, used for two or more cameras.
-  int minimumCameraWidth = 0;
+  int minimumCameraAreaWidth = 0;
   int inspectorWidth = 0; ///< width of the docks at the right edge
   int sceneWidth = 0;     ///< width of the scene; 0 if it is hidden
   int plotHeight = 0;     ///< height of the plots
@@ -34,8 +34,8 @@ inline constexpr int kDockSeparator = 6;
 /// Returns the sizes of the views for the current size of a window. `inspectors` are all docks at
 /// the right edge; their width is that of the widest visible one, or more if the names of their
 /// tabs need more room.
-ViewShares viewSharesOf(const QMainWindow& window, const std::vector<ViewDock*>& inspectors,
-                        const ViewDock& scene, const ViewDock& timeline);
+ViewSizes viewSizesOf(const QMainWindow& window, const std::vector<ViewDock*>& inspectors,
+                      const ViewDock& scene, const ViewDock& timeline);
 
 /// Returns the image aspect ratio (width / height) of each camera, or a usual ratio if it is
 /// unknown.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/view_shares.h"
+#include "ui/workbench/view_sizes.h"
 
 #include "core/project/project.h"
 #include "ui/workbench/view_dock.h"
@@ -51,28 +51,27 @@ int heightAroundViews(const QMainWindow& window) {
 
 } // namespace
 
-ViewShares viewSharesOf(const QMainWindow& window, const std::vector<ViewDock*>& inspectors,
-                        const ViewDock& scene, const ViewDock& timeline) {
-  ViewShares shares;
+ViewSizes viewSizesOf(const QMainWindow& window, const std::vector<ViewDock*>& inspectors,
+                      const ViewDock& scene, const ViewDock& timeline) {
+  ViewSizes sizes;
   for (const ViewDock* dock : inspectors) {
     const int least = std::max(dock->minimumWidth(), dock->minimumSizeHint().width());
-    shares.inspectorWidth = std::max(shares.inspectorWidth, dock->isHidden() ? 0 : least);
+    sizes.inspectorWidth = std::max(sizes.inspectorWidth, dock->isHidden() ? 0 : least);
   }
-  shares.inspectorWidth = std::max(shares.inspectorWidth, widthOfTabs(window, inspectors));
-  shares.sceneWidth = scene.isHidden() ? 0
-                                       : std::max(scene.minimumSizeHint().width(),
-                                                  window.width() * kLeastOfScenePercent / 100);
-  shares.plotHeight = window.height() * kPlotsPercent / 100;
-  shares.timelineHeight = window.height() < kSmallHeight ? timeline.minimumSizeHint().height()
-                                                         : timeline.sizeHint().height();
-  shares.minimumCameraWidth = window.width() * kLeastOfCamerasPercent / 100;
-  shares.cameraAreaSize =
-      QSize(window.width() - shares.inspectorWidth - kDockSeparator - shares.sceneWidth -
-                (shares.sceneWidth > 0 ? kDockSeparator : 0),
-            window.height() - heightAroundViews(window) - shares.plotHeight -
-                shares.timelineHeight - 2 * kDockSeparator)
-          .expandedTo({1, 1});
-  return shares;
+  sizes.inspectorWidth = std::max(sizes.inspectorWidth, widthOfTabs(window, inspectors));
+  sizes.sceneWidth = scene.isHidden() ? 0
+                                      : std::max(scene.minimumSizeHint().width(),
+                                                 window.width() * kLeastOfScenePercent / 100);
+  sizes.plotHeight = window.height() * kPlotsPercent / 100;
+  sizes.timelineHeight = window.height() < kSmallHeight ? timeline.minimumSizeHint().height()
+                                                        : timeline.sizeHint().height();
+  sizes.minimumCameraAreaWidth = window.width() * kLeastOfCamerasPercent / 100;
+  sizes.cameraAreaSize = QSize(window.width() - sizes.inspectorWidth - kDockSeparator -
+                                   sizes.sceneWidth - (sizes.sceneWidth > 0 ? kDockSeparator : 0),
+                               window.height() - heightAroundViews(window) - sizes.plotHeight -
+                                   sizes.timelineHeight - 2 * kDockSeparator)
+                             .expandedTo({1, 1});
+  return sizes;
 }
 
 std::vector<double> imageAspectsOf(const Project& project, std::size_t cameras) {
