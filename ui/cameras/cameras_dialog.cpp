@@ -49,10 +49,7 @@ CamerasDialog::CamerasDialog(const Workbench& bench, const CameraParts& parts)
   arrange();
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(&bench_.session, &SessionController::closed, this, &QDialog::reject);
-  connect(&images_, &QTimer::timeout, this, [this] {
-    project_->showImages();
-    sources_->showImages();
-  });
+  connectSnapshots();
   connect(&bench_.document, &Document::projectReplaced, this, [this] {
     setMessage({});
     updateBandwidth();
@@ -69,6 +66,20 @@ CamerasDialog::CamerasDialog(const Workbench& bench, const CameraParts& parts)
   connect(fit_, &QPushButton::clicked, this, &CamerasDialog::useProposals);
   onRetranslate(this, [this] { retranslateUi(); });
   setMessage({});
+}
+
+void CamerasDialog::connectSnapshots() {
+  bench_.connectView(project_);
+  bench_.connectImageView(sources_);
+  // The dialog is opened in the middle of a run, and a run that is paused sends no snapshot.
+  const TrackSnapshotPtr& shown = bench_.session.shownSnapshot();
+  project_->setSnapshot(shown);
+  sources_->setSnapshot(bench_.session.withMissingImagesFilled(shown));
+  // Also while nothing new comes: devices are assigned, and a measured exposure becomes stale.
+  connect(&redraw_, &QTimer::timeout, this, [this] {
+    project_->showImages();
+    sources_->showImages();
+  });
 }
 
 void CamerasDialog::arrange() {
@@ -150,13 +161,13 @@ void CamerasDialog::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
   parts_.watch.start();
   sources_->setPreviewing(true);
-  images_.start(kBetweenPictures);
+  redraw_.start(kBetweenPictures);
 }
 
 void CamerasDialog::hideEvent(QHideEvent* event) {
   QDialog::hideEvent(event);
   sources_->setPreviewing(false);
-  images_.stop();
+  redraw_.stop();
 }
 
 } // namespace dewpoint::ui

@@ -33,6 +33,7 @@ protected:
 
 private:
   void arrange();
+  void connectSnapshots();
   void retranslateUi();
   void setMessage(const QString& text);
   void updateBandwidth();
@@ -46,7 +47,7 @@ private:
   QPushButton* fit_;
   QLabel* message_;
   QDialogButtonBox* buttons_;
-  QTimer images_; ///< shows the newest images
+  QTimer redraw_; ///< limits how often the images of the snapshots are drawn
   std::vector<capture::BandwidthShortage> shortages_;
 };
 

@@ -219,19 +219,22 @@ std::optional<std::size_t> ProjectPane::device() const {
   return camera() >= 0 && row < matches.size() ? matches[row].deviceIndex : std::nullopt;
 }
 
+void ProjectPane::setSnapshot(const TrackSnapshotPtr& snapshot) {
+  snapshot_ = snapshot;
+}
+
 void ProjectPane::showImages() {
-  const TrackSnapshotPtr snapshot =
-      bench_.session.withMissingImagesFilled(bench_.session.shownSnapshot());
+  const TrackSnapshotPtr filled = bench_.session.withMissingImagesFilled(snapshot_);
   std::vector<QIcon> icons;
   const auto count = bench_.document.project().cameras.size();
   for (std::size_t k = 0; k < count; ++k) {
-    const bool has = snapshot && snapshot->frames && k < snapshot->frames->frames.size() &&
-                     snapshot->frames->frames[k] != nullptr;
-    icons.push_back(cameraIcon(has ? toQImage(snapshot->frames->frames[k]->image) : QImage(),
+    const bool has = filled && filled->frames && k < filled->frames->frames.size() &&
+                     filled->frames->frames[k] != nullptr;
+    icons.push_back(cameraIcon(has ? toQImage(filled->frames->frames[k]->image) : QImage(),
                                palette(), devicePixelRatioF()));
   }
   icons_->setIcons(std::move(icons));
-  exposure_->setSnapshot(bench_.session.shownSnapshot());
+  exposure_->setSnapshot(snapshot_); // an image is not measured again in later frames
 }
 
 void ProjectPane::refresh() {
@@ -318,8 +321,8 @@ void ProjectPane::readControls() {
   if (path_.empty()) {
     return;
   }
-  job_.start(
-      [this, path = path_, access = parts_.watch.deviceAccess()](const BackgroundJob::Progress&) {
+  job_.start([this, path = path_,
+              access = parts_.watch.deviceAccess()](const BackgroundJob::Progress&) {
     auto controls =
         std::make_shared<Result<std::vector<capture::DeviceControl>>>(access->readControls(path));
     return [this, path, controls] {

@@ -37,7 +37,10 @@ public:
 
   /// Returns the index of the selected camera, or -1 without cameras.
   int camera() const;
-  /// Updates the newest image of each camera and the exposure of its targets.
+  /// Sets the snapshot that showImages() shows from now on; null: nothing.
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
+  /// Shows the image of each camera in the snapshot, and the exposure of its targets. Call it
+  /// regularly, but not for each snapshot: both take long.
   void showImages();
 
 private:
@@ -77,6 +80,7 @@ private:
   QLabel* controlNote_;
   QPushButton* lock_;
   QPushButton* lockAll_;
+  TrackSnapshotPtr snapshot_;                   ///< without the last images of delayed cameras
   std::string path_;                            ///< of the device whose controls are shown
   std::vector<capture::DeviceControl> present_; ///< its controls as they were read last
   LatestJob job_{LatestJob::SupersededJob::Kept};

@@ -209,18 +209,20 @@ void SourcePane::refreshRow(int row) {
   }
 }
 
+void SourcePane::setSnapshot(const TrackSnapshotPtr& snapshot) {
+  snapshot_ = snapshot;
+}
+
 void SourcePane::showImages() {
-  const TrackSnapshotPtr snapshot =
-      bench_.session.withMissingImagesFilled(bench_.session.shownSnapshot());
   for (int row = 0; row < list_->count(); ++row) {
     const auto user = userOf(row);
     const auto camera = static_cast<std::size_t>(user.value_or(0));
-    const bool has = user && snapshot && snapshot->frames &&
-                     camera < snapshot->frames->frames.size() &&
-                     snapshot->frames->frames[camera] != nullptr;
+    const bool has = user && snapshot_ && snapshot_->frames &&
+                     camera < snapshot_->frames->frames.size() &&
+                     snapshot_->frames->frames[camera] != nullptr;
     if (user) {
       list_->item(row)->setIcon(
-          cameraIcon(has ? toQImage(snapshot->frames->frames[camera]->image) : QImage(), palette(),
+          cameraIcon(has ? toQImage(snapshot_->frames->frames[camera]->image) : QImage(), palette(),
                      devicePixelRatioF()));
     }
   }

@@ -31,7 +31,11 @@ public:
 
   /// Sets whether the devices are opened to show live images.
   void setPreviewing(bool previewing);
-  /// Updates the images of the devices that the project uses.
+  /// Sets the snapshot that showImages() shows from now on, in which delayed cameras keep their
+  /// last image; null: nothing.
+  void setSnapshot(const TrackSnapshotPtr& snapshot);
+  /// Shows the images of the snapshot at the devices that the project uses. Call it regularly, but
+  /// not for each snapshot, because this takes long.
   void showImages();
 
 private:
@@ -57,6 +61,7 @@ private:
   std::function<int()> selected_;
   PreviewStreams* previews_;
   bool previewing_ = false;
+  TrackSnapshotPtr snapshot_;
   QLabel* title_;
   QListWidget* list_;
   QLabel* empty_;
