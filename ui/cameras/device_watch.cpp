@@ -36,7 +36,7 @@ void DeviceWatch::start() {
       }
     });
   };
-  monitor_ = std::make_unique<capture::DeviceMonitor>(access_, receive);
+  monitor_.reset(new capture::DeviceMonitor(access_, receive));
 }
 
 } // namespace dewpoint::ui

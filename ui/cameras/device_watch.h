@@ -11,7 +11,8 @@
 namespace dewpoint::ui {
 
 /// Watches which camera devices are connected to this computer. Devices are watched in other
-/// threads from `start()` on; signals are emitted in the GUI thread.
+/// threads from `start()` on; signals are emitted in the GUI thread. The GUI thread never waits for
+/// a driver, nor for one of these threads.
 class DeviceWatch : public QObject {
   Q_OBJECT
 public:
@@ -40,7 +41,9 @@ private:
   bool listed_ = false;
   int watches_ = 0; ///< number of the newest monitor; lists of earlier ones are ignored
   JobMailbox mailbox_;
-  std::unique_ptr<capture::DeviceMonitor> monitor_;
+  /// Destroyed in another thread, because the destructor joins the monitor's thread. Until then the
+  /// monitor may still send lists: `mailbox_` drops them once this object is gone.
+  std::unique_ptr<capture::DeviceMonitor, DetachedDeleter> monitor_;
 };
 
 } // namespace dewpoint::ui
