@@ -20,6 +20,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QSignalBlocker>
 #include <QVariant>
 
 namespace dewpoint::ui {
@@ -50,10 +51,16 @@ CalibrationImportDialog::CalibrationImportDialog(Document& document, const Camer
     }
   });
   connect(&document_, &Document::projectReplaced, this, &QDialog::close);
-  connect(&cameras_, &CameraListModel::dataChanged, this, [this] {
+  const auto follow = [this] {
     fillCameras();
     fillNames({});
     refresh(); // what is taken has the names, too
+  };
+  connect(&cameras_, &CameraListModel::dataChanged, this, follow);
+  connect(&cameras_, &CameraListModel::modelReset, this, [this, follow] {
+    const QSignalBlocker quiet(camera_);
+    camera_->setCurrentIndex(0); // the row that was chosen may be of another camera now
+    follow();
   });
   finishLayout();
 }

@@ -49,7 +49,7 @@ private:
   QComboBox* lens_;
   QLineEdit* size_;
   QComboBox* poses_;
-  QComboBox* camera_;
+  QComboBox* camera_; ///< follows `cameras_`; not its view, because each row is a sentence
   QComboBox* fit_;
   QWidget* names_;                      ///< holds `nameChoices_`
   std::vector<QComboBox*> nameChoices_; ///< for each camera of the project, the one in the file

@@ -359,6 +359,16 @@ void CalibrationImportTest::aCameraWithoutANameCanBeMeant() {
   QVERIFY(document.edit(QStringLiteral("name"),
                         [](Project& project) { project.cameras[1].camera.name = "by the door"; }));
   QCOMPARE(meant->currentText(), QStringLiteral("import only for by the door"));
+  // With another camera, row 2 need not be the one that was chosen.
+  QVERIFY(document.editSources(QStringLiteral("add"), [](Project& project) {
+    project.cameras.push_back(project.cameras.front());
+    project.cameras.back().camera.name = "third";
+  }));
+  QCOMPARE(meant->count(), 4);
+  QCOMPARE(meant->itemText(3), QStringLiteral("import only for third"));
+  QCOMPARE(meant->currentIndex(), 0);
+  document.undoStack()->undo();
+  QCOMPARE(meant->count(), 3);
 }
 
 DEWPOINT_WINDOW_TEST(CalibrationImportTest)
