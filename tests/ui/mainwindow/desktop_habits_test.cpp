@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a person expects of every window of the desktop: it is where it was, has the system's
 // colors, and no slip of a key does harm.
+#include "core/project/project.h"
+#include "core/project/project_load.h"
+#include "core/project/project_save.h"
 #include "core/session/session.h"
 #include "core/session/snapshot/snapshot.h"
+#include "tests/ui/recorded_demo.h"
 #include "tests/ui/saved_run.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
@@ -10,6 +14,7 @@
 #include "ui/actions/action_registry.h"
 #include "ui/document/document.h"
 #include "ui/preferences/preferences.h"
+#include "ui/session/session_controller.h"
 #include "ui/style/theme.h"
 #include "ui/text/language.h"
 #include "ui/view3d/birds_eye_view.h"
@@ -22,6 +27,7 @@
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSpinBox>
 #include <QThread>
 #include <QToolButton>
@@ -52,6 +58,7 @@ private Q_SLOTS:
   void theShortcutEditorNamesActionsAsDeclared();
   void keysChooseTheDirectionOfView();
   void theKeyThatRestartsAsks();
+  void theKeyThatPlaysAsksAtTheEnd();
   void dialogsHaveTheirButtonsWhereThePlatformPutsThem();
   void theFilterUsesAsManyThreadsAsChosen();
 
@@ -233,6 +240,37 @@ void DesktopHabitsTest::theKeyThatRestartsAsks() {
   QVERIFY(reach(3));
   QTest::mouseClick(find<QToolButton>("actionRestartButton"), Qt::LeftButton);
   QVERIFY(waitFor([&] { return frame() < 3; }));
+}
+
+void DesktopHabitsTest::theKeyThatPlaysAsksAtTheEnd() {
+  openDemo();
+  QVERIFY(recordDesk(folder_.path().toStdString())); // it is over soon
+  auto desk = loadProject(path("desk.toml"));
+  QVERIFY(desk);
+  desk->targets = window_->document().project().targets;
+  QVERIFY(saveProject(*desk, path("desk.toml")));
+  open(path("desk.toml"));
+  QVERIFY(waitFor([this] {
+    return shown().frameCount == std::int64_t{8} && shown().history.newestTrackedFrame == 0;
+  }));
+  QSignalSpy restarts(window_->findChild<SessionController*>(),
+                      &SessionController::runAboutToRestart);
+  const auto isAsked = [this] {
+    return messageText().contains(QStringLiteral("Track it again from the beginning?"));
+  };
+  const auto pressSpace = [this] { QTest::keyClick(window_.get(), Qt::Key_Space); };
+  pressSpace(); // there is nothing to lose yet
+  QVERIFY(!isAsked());
+  QVERIFY(waitFor([this] { return shown().state == PlayState::Ended; }));
+  QVERIFY(shown().history.newestTrackedFrame > 0);
+  pressSpace();
+  QVERIFY(isAsked());
+  pressSpace(); // is no answer
+  QVERIFY(isAsked());
+  QCOMPARE(restarts.count(), 0);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the first answer
+  find<QPushButton>("messageAnswer0")->click();
+  QCOMPARE(restarts.count(), 1);
 }
 
 void DesktopHabitsTest::dialogsHaveTheirButtonsWhereThePlatformPutsThem() {
