@@ -3563,10 +3563,6 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
 <context>
     <name>PlotQuantity</name>
     <message>
-        <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <comment>title of a plot, unit of its axis</comment>
         <translation>%1 (%2)</translation>
@@ -3616,6 +3612,10 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
     <message>
         <source>%1 fps</source>
         <translation>%1 Bilder/s</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
     </message>
 </context>
 <context>
@@ -9422,10 +9422,6 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>± %1</translation>
     </message>
     <message>
-        <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
-    </message>
-    <message>
         <source>Speed of the target in the room</source>
         <translation>Geschwindigkeit des Ziels im Raum</translation>
     </message>
@@ -9659,10 +9655,6 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
     <message>
         <source>Ball: the outline of the target is a circle in every image. Any: the size of the target is learned, and its position is the center of the region that has its color. Automatic: the shape is determined from the images. Only method dewpoint uses this setting.</source>
         <translation>Ball: Der Umriss des Ziels ist in jedem Bild ein Kreis. Beliebig: Die Größe des Ziels wird gelernt, und seine Position ist die Mitte des Bereichs, der seine Farbe hat. Automatisch: Die Form wird aus den Bildern bestimmt. Nur das Verfahren dewpoint verwendet diese Einstellung.</translation>
-    </message>
-    <message>
-        <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
     </message>
     <message>
         <source>Radius (mm)</source>

@@ -3563,10 +3563,6 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
 <context>
     <name>PlotQuantity</name>
     <message>
-        <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <comment>title of a plot, unit of its axis</comment>
         <translation>%1 (%2)</translation>
@@ -3616,6 +3612,10 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
     <message>
         <source>%1 fps</source>
         <translation>%1 fotogramas/s</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
     </message>
 </context>
 <context>
@@ -9422,10 +9422,6 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>± %1</translation>
     </message>
     <message>
-        <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
-    </message>
-    <message>
         <source>Speed of the target in the room</source>
         <translation>Velocidad del objetivo en la sala</translation>
     </message>
@@ -9659,10 +9655,6 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
     <message>
         <source>Ball: the outline of the target is a circle in every image. Any: the size of the target is learned, and its position is the center of the region that has its color. Automatic: the shape is determined from the images. Only method dewpoint uses this setting.</source>
         <translation>Pelota: el contorno del objetivo es un círculo en cada imagen. Cualquiera: se aprende el tamaño del objetivo, y su posición es el centro de la zona que tiene su color. Automática: la forma se determina con las imágenes. Solo el método dewpoint usa este ajuste.</translation>
-    </message>
-    <message>
-        <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
     </message>
     <message>
         <source>Radius (mm)</source>

@@ -3562,10 +3562,6 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
 <context>
     <name>PlotQuantity</name>
     <message>
-        <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <comment>title of a plot, unit of its axis</comment>
         <translation>%1（%2）</translation>
@@ -3615,6 +3611,10 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
     <message>
         <source>%1 fps</source>
         <translation>%1 フレーム/秒</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
     </message>
 </context>
 <context>
@@ -9403,10 +9403,6 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>± %1</translation>
     </message>
     <message>
-        <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
-    </message>
-    <message>
         <source>Speed of the target in the room</source>
         <translation>部屋の中でのターゲットの速さ</translation>
     </message>
@@ -9640,10 +9636,6 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
     <message>
         <source>Ball: the outline of the target is a circle in every image. Any: the size of the target is learned, and its position is the center of the region that has its color. Automatic: the shape is determined from the images. Only method dewpoint uses this setting.</source>
         <translation>ボール: どの画像でもターゲットの輪郭は円です。任意: ターゲットの大きさを学習し、その色の領域の中心を位置とします。自動: 形を画像から判断します。手法 dewpoint だけがこの設定を使います。</translation>
-    </message>
-    <message>
-        <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
     </message>
     <message>
         <source>Radius (mm)</source>

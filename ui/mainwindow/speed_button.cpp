@@ -26,7 +26,7 @@ constexpr int kArrowSide = 9; ///< pixels
 constexpr int kArrowMargin = 3;
 
 /// "1/8 ×", "2 ×".
-QString speedText(double speed) {
+QString playSpeedText(double speed) {
   const bool isPart = speed < 1.0;
   const int number = static_cast<int>(std::lround(isPart ? 1.0 / speed : speed));
   return isPart ? SpeedButton::tr("1/%1 ×", "speed").arg(number)
@@ -68,9 +68,9 @@ SpeedButton::SpeedButton(const Workbench& bench, QWidget* parent)
         tr("Playback speed of the recording. Live cameras are always tracked in real time."));
     setAccessibleName(tr("Speed"));
     for (QAction* one : speeds_->actions()) {
-      one->setText(speedText(one->data().toDouble()));
+      one->setText(playSpeedText(one->data().toDouble()));
     }
-    setMinimumWidth(fontMetrics().horizontalAdvance(speedText(Pace::kSlowest)) + 24);
+    setMinimumWidth(fontMetrics().horizontalAdvance(playSpeedText(Pace::kSlowest)) + 24);
     showPace();
   });
 }
@@ -115,7 +115,7 @@ void SpeedButton::step(int direction) {
 
 void SpeedButton::showPace() {
   const std::size_t now = nearestSpeed(bench_.session.pace().speedFactor);
-  setText(speedText(kSpeeds[now]));
+  setText(playSpeedText(kSpeeds[now]));
   speeds_->actions().at(static_cast<qsizetype>(now))->setChecked(true);
   bench_.action("actionSlower")->setEnabled(now > 0);
   bench_.action("actionFaster")->setEnabled(now + 1 < kSpeeds.size());

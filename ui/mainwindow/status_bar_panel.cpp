@@ -127,7 +127,7 @@ void StatusBarPanel::retranslateUi() {
   explain(spread_, tr("± %1").arg("0000 mm"),
           tr("Uncertainty of the position: the standard deviations in x, y and z combined. The "
              "plots show each of the three"));
-  explain(speed_, tr("%1 m/s").arg("00.00"), tr("Speed of the target in the room"));
+  explain(speed_, speedText(88.88), tr("Speed of the target in the room"));
   explain(position_, tr("x %1  y %2  z %3").arg("−00.000", "−00.000", "−00.000 m"),
           tr("Estimated position of the target in the room"));
   explain(held_, trackingStateText(TrackingState::Searching),
@@ -230,7 +230,7 @@ void StatusBarPanel::showPosition(const TargetSnapshot& target) {
                               padded(lengthText(z, LengthScale::Meters, 3, NumberForm::Table), z)));
   motion_.add(*snapshot_, target);
   const auto speed = motion_.metersPerSecond();
-  speed_->setText(speed ? tr("%1 m/s").arg(numberText(*speed, 2)) : QString());
+  speed_->setText(speed ? speedText(*speed) : QString());
 }
 
 void StatusBarPanel::clearEstimate() {

@@ -266,11 +266,11 @@ void TargetPanel::addSpeeds() {
   }
 }
 
-QString TargetPanel::speedText(std::size_t target) const {
+QString TargetPanel::speedTextOf(std::size_t target) const {
   const auto speed = target < speeds_.size() && isConfirmed(snapshot_->targets[target].estimate)
                          ? speeds_[target].metersPerSecond()
                          : std::nullopt;
-  return speed ? tr("%1 m/s").arg(numberText(*speed, 2)) : QString();
+  return speed ? speedText(*speed) : QString();
 }
 
 void TargetPanel::showRows() {
@@ -292,7 +292,7 @@ void TargetPanel::showRows() {
                                  : QString();
     if (isTracked) {
       row.state = trackingState(snapshot_->targets[k]);
-      row.speedText = speedText(k);
+      row.speedText = speedTextOf(k);
     }
     rows.push_back(row);
   }

@@ -71,7 +71,7 @@ private:
   /// Updates the speeds of the targets with the frame shown.
   void addSpeeds();
   /// Returns the speed of a target that is tracked in the frame shown; empty if it is unknown.
-  QString speedText(std::size_t target) const;
+  QString speedTextOf(std::size_t target) const;
   void showBox();
   void showChosen();
   /// Returns the hint about what to do for the target in this row; empty if nothing is to be done.

@@ -31,7 +31,7 @@ QString quantityText(PlotQuantity quantity, double value) {
   case PlotQuantity::Position:
     return lengthText(value, LengthScale::Meters, 3, NumberForm::Table);
   case PlotQuantity::Speed:
-    return QCoreApplication::translate("PlotQuantity", "%1 m/s").arg(number(2));
+    return speedText(value, NumberForm::Table);
   case PlotQuantity::Duration:
     return durationText(value);
   case PlotQuantity::Pixels:

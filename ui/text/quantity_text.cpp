@@ -200,6 +200,10 @@ QString durationText(double microseconds) {
                                 : millisecondsText(microseconds / 1000.0);
 }
 
+QString speedText(double metersPerSecond, NumberForm form) {
+  return Quantity::tr("%1 m/s").arg(numberText(metersPerSecond, 2, form));
+}
+
 QString pixelText(double value, int decimals) {
   return pixelsText(numberText(value, decimals));
 }

@@ -75,6 +75,9 @@ QString millisecondsNumber(double seconds, NumberForm form = NumberForm::Plain);
 /// Returns a duration: "850 µs"; durations of 10 ms or more as "12.3 ms".
 QString durationText(double microseconds);
 
+/// Returns a speed: "1.25 m/s".
+QString speedText(double metersPerSecond, NumberForm form = NumberForm::Plain);
+
 /// Returns a length in image pixels: "12.3 px".
 QString pixelText(double pixels, int decimals = 1);
 /// Returns the upper limit of a difference in image pixels, with at most two significant digits:

@@ -88,6 +88,11 @@ TEST(QuantityText, RatesOfFramesHaveOneDecimal) {
   EXPECT_EQ(frameRateText(2532.32), QStringLiteral("2,532.3 fps"));
 }
 
+TEST(QuantityText, SpeedsHaveTwoDecimals) {
+  EXPECT_EQ(speedText(1.254), QStringLiteral("1.25 m/s"));
+  EXPECT_EQ(speedText(kUnknown, NumberForm::Table), QStringLiteral("– m/s"));
+}
+
 TEST(QuantityText, AShareIsAllOrNothingOnlyWhenItIs) {
   EXPECT_EQ(percentText(0.0), QStringLiteral("0 %"));
   EXPECT_EQ(percentText(0.0001), QStringLiteral("1 %"));
