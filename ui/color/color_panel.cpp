@@ -377,7 +377,7 @@ void ColorPanel::showBox() {
             .arg(cameraName(camera < project.cameras.size() ? project.cameras[camera].camera.name
                                                             : std::string(),
                             camera))
-            .arg(box.frame + 1)
+            .arg(frameNumberText(box.frame))
             .arg(numberText(box.box.width, 0))
             .arg(pixelText(box.box.height, 0)));
   } else {

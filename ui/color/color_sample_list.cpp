@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "ui/text/camera_names.h"
+#include "ui/text/quantity_text.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -64,7 +65,7 @@ void ColorSampleList::setSamples(const Project& project, int target) {
                            : sample.isFoundByGeometry ? tr("found: %1, frame %2, pixel %3, %4")
                                                       : tr("%1, frame %2, pixel %3, %4");
       list_->addItem(text.arg(name)
-                         .arg(sample.frame + 1)
+                         .arg(frameNumberText(sample.frame))
                          .arg(std::lround(sample.x + sample.width / 2.0))
                          .arg(std::lround(sample.y + sample.height / 2.0)));
     }

@@ -8,9 +8,8 @@
 #include "ui/document/document.h"
 #include "ui/preferences/preferences.h"
 #include "ui/text/error_sentence.h"
+#include "ui/text/quantity_text.h"
 #include "ui/widgets/message_bar.h"
-
-#include <QLocale>
 
 #include <algorithm>
 #include <memory>
@@ -89,7 +88,7 @@ void BackwardTracker::storeCorrections(const PositionCorrection& from,
   clearProgress();
   bench_.messages.showNotice(tr("The target was tracked backward to frame %1. It is now being "
                                 "tracked forward again from this frame.")
-                                 .arg(QLocale().toString(found.front().frame + 1)));
+                                 .arg(frameNumberText(found.front().frame)));
 }
 
 void BackwardTracker::showProgress(double part) {
@@ -99,7 +98,7 @@ void BackwardTracker::showProgress(double part) {
   }
   sinceShown_.start();
   const auto reached = static_cast<qint64>((1.0 - part) * static_cast<double>(frame_));
-  shown_ = tr("Tracking the target backward: frame %1.").arg(QLocale().toString(reached + 1));
+  shown_ = tr("Tracking the target backward: frame %1.").arg(frameNumberText(reached));
   bench_.messages.showQuestion(shown_, {{tr("Stop"), [this] { cancel(); }}});
 }
 

@@ -2,6 +2,7 @@
 #include "ui/export/video_drawer.h"
 
 #include "core/session/session.h"
+#include "ui/text/quantity_text.h"
 #include "ui/view3d/birds_eye_view.h"
 
 #include <QCoreApplication>
@@ -18,7 +19,8 @@ namespace {
 /// The session counts frames from 0, people from 1.
 Result<TrackSnapshotPtr> countedFromOne(Error error, std::int64_t frame) {
   if (error.code == ErrorCode::NotFound) {
-    const QString text = QCoreApplication::translate("VideoDialog", "Frame %1").arg(frame + 1);
+    const QString text =
+        QCoreApplication::translate("VideoDialog", "Frame %1").arg(frameNumberText(frame));
     error.detail = text.toStdString();
   }
   return tl::make_unexpected(std::move(error));

@@ -92,8 +92,8 @@ std::vector<QRect> videoViewAreas(const VideoLayout& look) {
 }
 
 QString videoStampText(const VideoLayout& look, const TrackSnapshotPtr& snapshot) {
-  const QString frame = // people count from 1
-      QCoreApplication::translate("VideoDialog", "Frame %1").arg(snapshot->frame + 1);
+  const QString frame =
+      QCoreApplication::translate("VideoDialog", "Frame %1").arg(frameNumberText(snapshot->frame));
   const QString time =
       snapshot->frames ? secondsText(seconds(snapshot->frames->time), 3) : QString();
   QStringList parts{look.recordingName, frame, time};

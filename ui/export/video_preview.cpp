@@ -2,6 +2,7 @@
 #include "ui/export/video_preview.h"
 
 #include "ui/style/tabular_font.h"
+#include "ui/text/quantity_text.h"
 #include "ui/widgets/named.h"
 
 #include <QImage>
@@ -77,10 +78,10 @@ void VideoPreview::showImage(const QImage& image) {
 void VideoPreview::updateText() {
   const QLocale numbers;
   text_->setText(frames_.empty() ? QString()
-                                 : tr("Image %1 of %2: frame %3") // people count from 1
+                                 : tr("Image %1 of %2: frame %3")
                                        .arg(numbers.toString(slider_->value() + 1),
                                             numbers.toString(static_cast<int>(frames_.size())),
-                                            numbers.toString(frame() + 1)));
+                                            frameNumberText(frame())));
 }
 
 } // namespace dewpoint::ui

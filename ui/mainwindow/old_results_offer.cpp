@@ -5,6 +5,7 @@
 #include "ui/document/document.h"
 #include "ui/session/logged_records.h"
 #include "ui/session/result_refresher.h"
+#include "ui/text/quantity_text.h"
 #include "ui/widgets/message_bar.h"
 
 #include <QAction>
@@ -45,7 +46,7 @@ void OldResultsOffer::offerFirstFrame(qint64 started) {
   withdrawFirstFrame();
   started_ = started;
   late_ = tr("Tracking began at frame %1, where you clicked. The frames before it are not tracked.")
-              .arg(started + 1); // people count from 1
+              .arg(frameNumberText(started));
   SessionController* session = &bench_.session;
   bench_.messages.showLastingQuestion(late_, {{tr("Track from the first frame"), [session] {
                                                  session->restart(false);

@@ -179,7 +179,7 @@ void StatusBarPanel::refresh() {
   }
   const TrackSnapshot& snapshot = *snapshot_;
   playing_->setText(playWord(snapshot));
-  const QString frame = QString::number(snapshot.frame + 1); // people count from 1
+  const QString frame = frameNumberText(snapshot.frame);
   frame_->setText(snapshot.frameCount ? tr("frame %1 / %2").arg(frame).arg(*snapshot.frameCount)
                                       : tr("frame %1").arg(frame));
   // While nothing is tracked, the rate of the last frames says nothing about this one.

@@ -3,11 +3,11 @@
 
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/run_plots.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
 
 #include <QCoreApplication>
 #include <QLabel>
-#include <QLocale>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -92,7 +92,7 @@ void FrameConvergence::declarePlot() {
 void FrameConvergence::updateTitle() {
   const QString unit = axisUnit(boxes_ ? PlotQuantity::Pixels : PlotQuantity::Length);
   title_->setText(Convergence::tr("Convergence in frame %1 (%2)", "number of a frame, unit")
-                      .arg(QLocale().toString(std::max<std::int64_t>(0, frame_) + 1), unit));
+                      .arg(frameNumberText(std::max<std::int64_t>(0, frame_)), unit));
 }
 
 void FrameConvergence::setTargetIsBox(bool boxes) {

@@ -364,7 +364,7 @@ QString PlotStack::placeText(const std::optional<std::size_t>& row) const {
     return {};
   }
   const PlotSeries::Row& at = series()->row(*row);
-  const QString frame = QString::number(at.frame + 1); // people count from 1
+  const QString frame = frameNumberText(at.frame);
   const QString time = secondsText(at.seconds, 2);
   return axis() == PlotAxis::Time
              ? tr("frame %1, %2").arg(frame, time)

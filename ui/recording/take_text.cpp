@@ -110,7 +110,6 @@ QString preRollText(const TakeStatus& take) {
 }
 
 QString replayText(const ReplayComparison& found) {
-  const auto number = [](std::int64_t frame) { return QString::number(frame + 1); };
   QStringList parts;
   if (found.frameCountBeforeTake > 0) {
     parts += QCoreApplication::translate(
@@ -128,19 +127,19 @@ QString replayText(const ReplayComparison& found) {
                  "differ by up to %4.")
                  .arg(found.differingFrameCount)
                  .arg(found.liveFrameCount)
-                 .arg(number(found.firstDifferingFrame.value_or(0)),
+                 .arg(frameNumberText(found.firstDifferingFrame.value_or(0)),
                       lengthText(found.largestPositionDifference));
   }
   if (found.incompleteFrameCount > 0) {
     parts += QCoreApplication::translate("TakeText",
                                          "Images of %1 frames were dropped, the first in frame %2.")
                  .arg(found.incompleteFrameCount)
-                 .arg(number(found.firstIncompleteFrame.value_or(0)));
+                 .arg(frameNumberText(found.firstIncompleteFrame.value_or(0)));
   }
   for (const ResultRange& range : found.framesWithOtherSettings) {
     parts +=
         QCoreApplication::translate("TakeText", "Frames %1 to %2 were tracked with other settings.")
-            .arg(number(range.firstFrame), number(range.lastFrame));
+            .arg(frameNumberText(range.firstFrame), frameNumberText(range.lastFrame));
   }
   if (found.hasTimeBudget) {
     parts += QCoreApplication::translate(

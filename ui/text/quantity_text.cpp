@@ -127,6 +127,12 @@ QString frameRateText(double framesPerSecond) {
   return Quantity::tr("%1 fps").arg(numberText(framesPerSecond, 1));
 }
 
+QString frameNumberText(std::int64_t frame) {
+  QLocale numbers;
+  numbers.setNumberOptions(numbers.numberOptions() | QLocale::OmitGroupSeparator);
+  return numbers.toString(static_cast<qlonglong>(frame) + 1); // people count from 1
+}
+
 QString lengthText(double meters, LengthForm form) {
   switch (form) {
   case LengthForm::Readout:

@@ -5,6 +5,8 @@
 
 #include <QString>
 
+#include <cstdint>
+
 namespace dewpoint::ui {
 
 // Formatting of numbers and quantities in the language of the window. Each quantity has one
@@ -32,6 +34,9 @@ QString parameterValueText(double value);
 QString rateText(double perSecond);
 /// Returns a frame rate with its unit: "30.0 fps".
 QString frameRateText(double framesPerSecond);
+/// Returns the number of a frame, counted from 1 as in the timeline, without group separators: "1"
+/// for frame 0, "1234" for frame 1233.
+QString frameNumberText(std::int64_t frame);
 
 /// Precision of a length that is written with its unit.
 enum class LengthForm {

@@ -48,7 +48,7 @@ FrameField::FrameField(Timeline& timeline)
 
 void FrameField::open(qint64 currentFrame) {
   openedAt_ = currentFrame;
-  edit_->setText(QString::number(currentFrame + 1)); // people count from 1
+  edit_->setText(frameNumberText(currentFrame));
   edit_->selectAll();
   problem_->clear();
   problem_->hide();
@@ -81,7 +81,7 @@ void FrameField::goToEntered() {
   }
   //: %1 and %2 are numbers of frames, %3 and %4 times
   showProblem(tr("Enter a frame from %1 to %2, or a time from %3 to %4.")
-                  .arg(numbers.toString(first + 1), numbers.toString(last + 1),
+                  .arg(frameNumberText(first), frameNumberText(last),
                        secondsText(model.secondsOf(first), 2),
                        secondsText(model.secondsOf(last), 2)));
   edit_->selectAll();

@@ -8,7 +8,6 @@
 #include "ui/text/tracking_state_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -111,9 +110,8 @@ std::optional<qint64> TimelineModel::nextMarkerFrame(qint64 from, int direction)
 }
 
 QString TimelineModel::descriptionOf(qint64 frame) const {
-  const QLocale locale;
   QString text = QCoreApplication::translate("Timeline", "Frame %1, %2")
-                     .arg(locale.toString(frame + 1), secondsText(secondsOf(frame), 2));
+                     .arg(frameNumberText(frame), secondsText(secondsOf(frame), 2));
   const FrameRecord* record = recordAt(frame);
   if (record == nullptr) {
     return text + QLatin1Char('\n') + QCoreApplication::translate("Timeline", "not tracked");

@@ -228,9 +228,9 @@ void paintFooter(QPainter& painter, const TimelineModel& model, const TimelineRo
   }
   const QString text =
       QCoreApplication::translate("Timeline", "tracking frames %2 to %3 again: now at %1")
-          .arg(model.history.newestTrackedFrame + 1)
-          .arg(model.rerun->firstFrame + 1)
-          .arg(model.rerun->lastFrame + 1);
+          .arg(frameNumberText(model.history.newestTrackedFrame))
+          .arg(frameNumberText(model.rerun->firstFrame))
+          .arg(frameNumberText(model.rerun->lastFrame));
   painter.setPen(palette.color(QPalette::PlaceholderText));
   painter.drawText(rows.footerArea, Qt::AlignRight | Qt::AlignVCenter, text);
 }

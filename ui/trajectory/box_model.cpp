@@ -62,7 +62,7 @@ QVariant BoxModel::data(const QModelIndex& index, int role) const {
   case Time:
     return tableNumberText(sample.time, 3);
   case Frame:
-    return QString::number(sample.frame + 1); // people count from 1
+    return frameNumberText(sample.frame);
   case Target:
     return names_.value(sample.target - 1, QString::number(sample.target));
   case X:

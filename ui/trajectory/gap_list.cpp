@@ -65,8 +65,8 @@ void GapList::fill() {
   setRowCount(static_cast<int>(gaps_.size()));
   for (int row = 0; row < rowCount(); ++row) {
     const TrajectoryGap& gap = gaps_[static_cast<std::size_t>(row)];
-    const QStringList texts{tr("frame %1").arg(gap.firstFrame + 1),
-                            tr("frame %1").arg(gap.lastFrame + 1),
+    const QStringList texts{tr("frame %1").arg(frameNumberText(gap.firstFrame)),
+                            tr("frame %1").arg(frameNumberText(gap.lastFrame)),
                             secondsText(gap.durationSeconds(), 2) + QStringLiteral(" · ") +
                                 tr("%n frames", nullptr, static_cast<int>(gap.frameCount())),
                             QString::fromStdString(gap.target)};

@@ -68,7 +68,7 @@ QVariant TrajectoryModel::data(const QModelIndex& index, int role) const {
   case Time:
     return tableNumberText(sample.time, 3);
   case Frame:
-    return QString::number(sample.frame + 1); // people count from 1
+    return frameNumberText(sample.frame);
   case Target:
     return QString::fromStdString(sample.target);
   case X:

@@ -88,6 +88,15 @@ TEST(QuantityText, RatesOfFramesHaveOneDecimal) {
   EXPECT_EQ(frameRateText(2532.32), QStringLiteral("2,532.3 fps"));
 }
 
+TEST(QuantityText, FramesAreCountedFromOneWithoutGroups) {
+  EXPECT_EQ(frameNumberText(0), QStringLiteral("1"));
+  EXPECT_EQ(frameNumberText(1233), QStringLiteral("1234"));
+  EXPECT_EQ(frameNumberText(1233999), QStringLiteral("1234000"));
+  QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+  EXPECT_EQ(frameNumberText(12344), QStringLiteral("12345"));
+  QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
+}
+
 TEST(QuantityText, SpeedsHaveTwoDecimals) {
   EXPECT_EQ(speedText(1.254), QStringLiteral("1.25 m/s"));
   EXPECT_EQ(speedText(kUnknown, NumberForm::Table), QStringLiteral("– m/s"));

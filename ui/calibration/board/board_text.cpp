@@ -62,12 +62,11 @@ QString missedLine(const QString& name, const std::vector<MissedRun>& runs) {
       others += run.imageCount;
       continue;
     }
-    const QString first = QString::number(run.firstNumber + 1);
-    listed << missReason(
-        run.firstNumber == run.lastNumber
-            ? first
-            : QStringLiteral("%1–%2").arg(first, QString::number(run.lastNumber + 1)),
-        run.missReason);
+    const QString first = frameNumberText(run.firstNumber);
+    listed << missReason(run.firstNumber == run.lastNumber
+                             ? first
+                             : QStringLiteral("%1–%2").arg(first, frameNumberText(run.lastNumber)),
+                         run.missReason);
   }
   const QString frames = listed.join(QStringLiteral(", "));
   return others == 0 ? BoardText::tr("%1: no board was found in frames %2.").arg(name, frames)
@@ -161,7 +160,8 @@ QString adviceText(const BoardGuideState::PerCamera& camera) {
   case GuidanceAdvice::ShowCalibrationBoard:
     return BoardText::tr("Show the whole board");
   case GuidanceAdvice::MoveTo:
-    return BoardText::tr("Move the board to: %1").arg(regionText(camera.lensGuidance.requestedRegion));
+    return BoardText::tr("Move the board to: %1")
+        .arg(regionText(camera.lensGuidance.requestedRegion));
   case GuidanceAdvice::TiltTo:
     return BoardText::tr("Turn the board: %1").arg(tiltText(camera.lensGuidance.tilt));
   case GuidanceAdvice::ComeNearer:
