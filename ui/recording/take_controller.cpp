@@ -8,6 +8,7 @@
 #include "ui/recording/take_comparison.h"
 #include "ui/recording/take_text.h"
 #include "ui/text/error_sentence.h"
+#include "ui/text/quantity_text.h"
 #include "ui/widgets/message_bar.h"
 
 #include <QAction>

@@ -53,16 +53,6 @@ QString timeLeft(const TakeStatus& take) {
 
 } // namespace
 
-QString minutesAndSecondsText(double seconds) {
-  const auto whole = static_cast<qint64>(seconds);
-  const QChar zero(u'0');
-  const qint64 hours = whole / 3600;
-  const QString minutes = hours > 0 ? QStringLiteral("%1").arg(whole / 60 % 60, 2, 10, zero)
-                                    : QString::number(whole / 60 % 60);
-  const QString rest = QStringLiteral("%1:%2").arg(minutes).arg(whole % 60, 2, 10, zero);
-  return hours > 0 ? QStringLiteral("%1:%2").arg(hours).arg(rest) : rest;
-}
-
 QString takeSummaryText(const TakeStatus& take) {
   QStringList parts{
       QCoreApplication::translate("TakeText", "Recording take %1").arg(take.takeNumber),

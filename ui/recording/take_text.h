@@ -27,8 +27,5 @@ QString replayText(const ReplayComparison& comparison);
 /// Returns a sentence about the first problem that occurred during a recording; empty if there was
 /// none.
 QString takeProblemText(const TakeStatus& take);
-/// Returns a duration as text, in minutes and seconds ("0:07") or hours, minutes and seconds
-/// ("1:02:03").
-QString minutesAndSecondsText(double seconds);
 
 } // namespace dewpoint::ui

@@ -60,6 +60,26 @@ QString readout(double meters) {
              : lengthText(meters, LengthScale::Meters, 2, NumberForm::Table);
 }
 
+QString stopwatchText(double seconds) {
+  const auto whole = static_cast<qint64>(seconds);
+  const QChar zero(u'0');
+  const qint64 hours = whole / 3600;
+  const QString minutes = hours > 0 ? QStringLiteral("%1").arg(whole / 60 % 60, 2, 10, zero)
+                                    : QString::number(whole / 60 % 60);
+  const QString rest = QStringLiteral("%1:%2").arg(minutes).arg(whole % 60, 2, 10, zero);
+  return hours > 0 ? QStringLiteral("%1:%2").arg(hours).arg(rest) : rest;
+}
+
+QString axisTimeText(double seconds, int decimals) {
+  const int minutes = static_cast<int>(seconds / 60.0);
+  if (minutes == 0) {
+    return secondsText(seconds, decimals);
+  }
+  return QStringLiteral("%1:%2").arg(minutes).arg(
+      numberText(seconds - 60.0 * minutes, decimals)
+          .rightJustified(decimals > 0 ? 3 + decimals : 2, QLatin1Char('0')));
+}
+
 QString withoutTrailingZeros(QString text) {
   const QString point = QLocale().decimalPoint();
   if (text.contains(point)) {
@@ -191,6 +211,10 @@ QString percentAccuracyText(double share) {
 
 QString secondsText(double seconds, int decimals) {
   return Quantity::tr("%1 s").arg(numberText(seconds, decimals));
+}
+
+QString minutesAndSecondsText(double seconds, ClockForm form, int decimals) {
+  return form == ClockForm::Axis ? axisTimeText(seconds, decimals) : stopwatchText(seconds);
 }
 
 QString millisecondsText(double milliseconds) {

@@ -72,6 +72,15 @@ QString percentAccuracyText(double share);
 
 /// Returns a time: "4.40 s".
 QString secondsText(double seconds, int decimals);
+/// Format of a time in minutes and seconds.
+enum class ClockForm {
+  Duration, ///< "0:07", "12:34", "1:02:03": whole seconds, as on a stopwatch
+  Axis      ///< "7 s", "12:34.5", "62:03": labels of an axis, in minutes of any number
+};
+/// Returns a time in minutes and seconds. `decimals` is the number of decimals of the seconds;
+/// ClockForm::Duration has none and omits what is less than a second.
+QString minutesAndSecondsText(double seconds, ClockForm form = ClockForm::Duration,
+                              int decimals = 0);
 /// Returns a duration: "12.3 ms".
 QString millisecondsText(double milliseconds);
 /// Converts seconds to milliseconds and returns the number without the unit, for use where a

@@ -59,15 +59,9 @@ double roundStep(double pixelsPerSecond, double room) {
   return kSteps.back();
 }
 
+/// A label of the axis, with the decimals that labels `step` seconds apart need.
 QString clock(double seconds, double step) {
-  const int decimals = step < 0.1 ? 2 : step < 1.0 ? 1 : 0;
-  const int minutes = static_cast<int>(seconds / 60.0);
-  if (minutes == 0) {
-    return secondsText(seconds, decimals);
-  }
-  return QStringLiteral("%1:%2").arg(minutes).arg(
-      numberText(seconds - 60.0 * minutes, decimals)
-          .rightJustified(decimals > 0 ? 3 + decimals : 2, QLatin1Char('0')));
+  return minutesAndSecondsText(seconds, ClockForm::Axis, step < 0.1 ? 2 : step < 1.0 ? 1 : 0);
 }
 
 void paintAxis(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,

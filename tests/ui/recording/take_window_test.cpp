@@ -14,7 +14,6 @@
 #include "ui/document/document.h"
 #include "ui/preferences/preferences.h"
 #include "ui/recording/take_controller.h"
-#include "ui/recording/take_text.h"
 #include "ui/session/session_controller.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/workbench.h"
@@ -52,7 +51,6 @@ private Q_SLOTS:
   void closingTheProjectCompletesTheTake();
   void aFolderThatCannotBeMadeIsSaid();
   void recordingsHaveNoButton();
-  void durationsAreShownAsOnAClock();
   void numberAndNotesAreThoseOfTheUser();
   void aTakeBeginsBeforeItsStart();
   void aTakeIsComparedWithTheLiveRun();
@@ -292,12 +290,6 @@ void TakeWindowTest::recordingsHaveNoButton() {
   openDemo();
   QVERIFY(!action("actionRecord")->isEnabled());
   QVERIFY(!find<QToolBar>("transportBar")->actions().contains(action("actionRecord")));
-}
-
-void TakeWindowTest::durationsAreShownAsOnAClock() {
-  QCOMPARE(minutesAndSecondsText(7.9), QStringLiteral("0:07"));
-  QCOMPARE(minutesAndSecondsText(754.0), QStringLiteral("12:34"));
-  QCOMPARE(minutesAndSecondsText(3723.0), QStringLiteral("1:02:03"));
 }
 
 DEWPOINT_WINDOW_TEST(TakeWindowTest)

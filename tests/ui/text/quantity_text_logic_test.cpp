@@ -110,6 +110,20 @@ TEST(QuantityText, AShareIsAllOrNothingOnlyWhenItIs) {
   EXPECT_EQ(percentNumber(0.0012, 2), QStringLiteral("0.12"));
 }
 
+TEST(QuantityText, DurationsAreShownAsOnAClock) {
+  EXPECT_EQ(minutesAndSecondsText(7.9), QStringLiteral("0:07"));
+  EXPECT_EQ(minutesAndSecondsText(754.0), QStringLiteral("12:34"));
+  EXPECT_EQ(minutesAndSecondsText(3723.0), QStringLiteral("1:02:03"));
+}
+
+TEST(QuantityText, LabelsOfAnAxisCountMinutesWithoutHours) {
+  EXPECT_EQ(minutesAndSecondsText(7.0, ClockForm::Axis), QStringLiteral("7 s"));
+  EXPECT_EQ(minutesAndSecondsText(7.5, ClockForm::Axis, 1), QStringLiteral("7.5 s"));
+  EXPECT_EQ(minutesAndSecondsText(65.0, ClockForm::Axis), QStringLiteral("1:05"));
+  EXPECT_EQ(minutesAndSecondsText(65.25, ClockForm::Axis, 2), QStringLiteral("1:05.25"));
+  EXPECT_EQ(minutesAndSecondsText(3723.0, ClockForm::Axis), QStringLiteral("62:03"));
+}
+
 TEST(QuantityText, DurationsAndPixelsHaveTheirUnits) {
   EXPECT_EQ(durationText(850.4), QStringLiteral("850 µs"));
   EXPECT_EQ(durationText(12345.0), QStringLiteral("12.3 ms"));
