@@ -25,7 +25,7 @@ std::vector<std::string> quantitiesByHand(const std::string& path, std::string_v
   static const std::regex kSeam("\"\\s*\"");
   const std::string code =
       std::regex_replace(std::regex_replace(std::string(text), kComment, ""), kSeam, "");
-  static const std::regex kUnit("%[0-9]+(°| ?(px|mm|cm|m|µs|ms|s)(?![A-Za-z0-9_/]))");
+  static const std::regex kUnit("%[0-9]+(°| ?(px|mm|cm|m/s(?!²)|m|µs|ms|s)(?![A-Za-z0-9_/]))");
   static const std::regex kFactor("(number|tableNumber|significantDigits)Text\\([^,;]*"
                                   "\\b(1000\\.0|1e3|200\\.0|180\\.0|100\\.0|kDegree)\\b");
   static const std::regex kAnyFactor(
@@ -36,9 +36,12 @@ std::vector<std::string> quantitiesByHand(const std::string& path, std::string_v
   // A factor beside a formatter, or under a name of its own, is the same work.
   static const std::regex kThousand(
       "\\b(1000\\.0|1e3) \\*|[*/] (1000\\.0|1e3)\\b|\\bkMilli\\w+ = ");
+  // People count frames from 1; the formatter of the number adds it.
+  static const std::regex kFrame("(\\.arg|toString|QString::number|[nN]umberText)\\("
+                                 "[^;{}\"]*?[fF]rame\\w*[()]* \\+ 1\\b");
   std::vector<std::string> found;
-  for (const std::regex& rule :
-       inWindow ? std::vector{kUnit, kFactor, kThousand} : std::vector{kAnyFactor, kNamedFactor}) {
+  for (const std::regex& rule : inWindow ? std::vector{kUnit, kFactor, kThousand, kFrame}
+                                         : std::vector{kAnyFactor, kNamedFactor}) {
     for (std::sregex_iterator match(code.begin(), code.end(), rule), end; match != end; ++match) {
       found.push_back(match->str());
     }

@@ -17,7 +17,11 @@ TEST(QuantityRule, AUnitBehindANumberIsTheFormattersWork) {
   EXPECT_EQ(quantitiesByHand(kFile, "tr(\"±%1°, %2 m.\")"), (Found{"%1°", "%2 m"}));
   EXPECT_EQ(quantitiesByHand(kFile, "tr(\"%1 s – %2\")"), Found{"%1 s"});
 
-  EXPECT_EQ(quantitiesByHand(kFile, "tr(\"%1 samples, %2 m/s, %3 % of %4\")"), Found{});
+  EXPECT_EQ(quantitiesByHand(kFile, "tr(\"%1 m/s\")"), Found{"%1 m/s"});
+  EXPECT_EQ(quantitiesByHand(kFile, "tr(\"at %2 m/s.\")"), Found{"%2 m/s"});
+
+  EXPECT_EQ(quantitiesByHand(kFile, "tr(\"%1 samples, %2 m/s², %3 % of %4\")"), Found{});
+  EXPECT_EQ(quantitiesByHand(kFile, "tr(\"speed, m/s\")"), Found{});
   EXPECT_EQ(quantitiesByHand(kFile, "/// \"%1 px\"\ntr(\"%1\", \"px\")"), Found{});
 }
 
@@ -32,6 +36,24 @@ TEST(QuantityRule, ANumberIsNotBroughtToAnotherUnitAsItIsWritten) {
             Found{"significantDigitsText(angle * 180.0"});
 
   EXPECT_EQ(quantitiesByHand(kFile, "numberText(value, 3); x = 100.0 * y;"), Found{});
+}
+
+TEST(QuantityRule, TheFormatterOfFrameNumbersAddsTheirOne) {
+  EXPECT_EQ(quantitiesByHand(kFile, "tr(\"frame %1\").arg(box.frame + 1)"),
+            Found{".arg(box.frame + 1"});
+  EXPECT_EQ(quantitiesByHand(kFile, "QString::number(at.frame + 1);"),
+            Found{"QString::number(at.frame + 1"});
+  EXPECT_EQ(quantitiesByHand(kFile, "QLocale().toString(found.front().frame + 1)"),
+            Found{"toString(found.front().frame + 1"});
+  EXPECT_EQ(quantitiesByHand(kFile, "toString(std::max<std::int64_t>(0, frame_) + 1)"),
+            Found{"toString(std::max<std::int64_t>(0, frame_) + 1"});
+  EXPECT_EQ(quantitiesByHand(kFile, "frameNumberText(range.lastFrame + 1)"),
+            Found{"NumberText(range.lastFrame + 1"});
+
+  EXPECT_EQ(quantitiesByHand(kFile, "text.arg(frameNumberText(frame)); goToFrame(frame + 1);"),
+            Found{});
+  EXPECT_EQ(quantitiesByHand("ui/text/quantity_text.cpp", "numbers.toString(frame + 1)"), Found{});
+  EXPECT_EQ(quantitiesByHand("app/dewpoint-cli/main.cpp", "text.arg(frame + 1)"), Found{});
 }
 
 TEST(QuantityRule, MillimetersAndMillisecondsAreMadeInOnePlace) {
