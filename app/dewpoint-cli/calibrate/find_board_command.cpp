@@ -3,8 +3,7 @@
 #include "app/dewpoint-cli/calibrate/calibrate_output.h"
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/wiring/open_project.h"
-#include "core/setup/calibration/board_proposal.h"
-#include "core/setup/calibration/mirrored_videos.h"
+#include "core/setup/calibration/board_recording.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -29,17 +28,15 @@ struct FoundGuesses {
 /// The boards in a project's recording, and which of its videos are mirrored.
 Result<FoundGuesses> guessesIn(const SessionInputs& inputs, const BoardDescription& lengths,
                                int looks, const CalibrationProgress& progress) {
-  auto guesses = proposeBoards(*inputs.source, lengths, looks, progress);
-  if (!guesses) {
-    return tl::make_unexpected(guesses.error());
-  }
   std::vector<std::string> names;
   for (const ProjectCamera& camera : inputs.project.cameras) {
     names.push_back(camera.camera.name);
   }
-  return findMirroredVideos(*inputs.source, guesses->front().board, looks, progress)
-      .map([&](const MirroredVideos& mirrored) {
-        return FoundGuesses{std::move(*guesses), mirroredText(mirrored, names)};
+  return proposeBoardsAndMirroredVideos(*inputs.source, lengths, looks, progress)
+      .and_then([&](BoardRecordingProposal proposal) {
+        return proposal.mirroredVideos.map([&](const MirroredVideos& mirrored) {
+          return FoundGuesses{std::move(proposal.guesses), mirroredText(mirrored, names)};
+        });
       });
 }
 

@@ -109,8 +109,8 @@ void BoardCalibrator::compute(Computation computation, bool applyIt) {
   mirrored_ = {};
   job_->start([this, computation = std::move(computation), looking = searching_,
                applyIt](const BackgroundJob::Progress& progress) -> std::function<void()> {
-    auto computed =
-        std::make_shared<Computed>(computation([&](CalibrationStage stage, double part) {
+    auto computed = std::make_shared<BoardRecordingCalibration>(
+        computation([&](CalibrationStage stage, double part) {
           *looking = stage == CalibrationStage::BoardDetection;
           return progress(*looking ? kLookingShare * part : -1.0);
         }));
@@ -120,7 +120,8 @@ void BoardCalibrator::compute(Computation computation, bool applyIt) {
   Q_EMIT changed();
 }
 
-void BoardCalibrator::applyResult(const std::shared_ptr<Computed>& computed, bool applyIt) {
+void BoardCalibrator::applyResult(const std::shared_ptr<BoardRecordingCalibration>& computed,
+                                  bool applyIt) {
   proposal_ = computed->otherBoard;
   mirrored_ = computed->mirroredVideos;
   if (mirrored_.cause != MirroredVideos::Cause::None) {
@@ -155,18 +156,10 @@ void BoardCalibrator::calibrateRecording(bool checksForOtherBoardFirst) {
   request.board.checksForOtherBoardFirst = checksForOtherBoardFirst;
   compute(
       [open = open_, project = project(), request](const CalibrationProgress& progress) {
-        Computed computed;
-        computed.outcome = open(project).and_then([&](const SessionInputs& inputs) {
-          return findBoards(inputs.project, *inputs.source, request.board, progress)
-              .and_then([&](const BoardDetections& seen) {
-                computed.otherBoard = seen.otherBoard;
-                computed.hasSearchedAllFrames = seen.hasSearchedAllFrames;
-                computed.mirroredVideos = setup::mirroredVideos(seen);
-                return calibrateFromBoards(inputs.project, seen, request.board, request.goal,
-                                           progress);
-              });
-        });
-        return computed;
+        const auto inputs = open(project);
+        return inputs ? calibrateFromBoardRecording(inputs->project, *inputs->source, request.board,
+                                                    request.goal, progress)
+                      : BoardRecordingCalibration{tl::make_unexpected(inputs.error())};
       },
       true);
 }
@@ -184,45 +177,34 @@ void BoardCalibrator::identifyBoard() {
         const CalibrationProgress report = [&](CalibrationStage, double part) {
           return progress(part);
         };
-        auto proposed = std::make_shared<Proposed>();
-        if (frames != nullptr) {
-          proposed->guesses = proposeBoards(*frames, board, report);
-        } else if (const auto inputs = open(project)) {
-          *proposed = proposedIn(*inputs->source, board, report);
-        } else {
-          proposed->guesses = tl::make_unexpected(inputs.error());
-        }
+        // One frame of live images is too little to know which videos are mirrored.
+        auto proposed = std::make_shared<Proposal>(
+            frames != nullptr
+                ? proposeBoards(*frames, board, report).map([](std::vector<BoardGuess> guesses) {
+                    return BoardRecordingProposal{std::move(guesses), MirroredVideos()};
+                  })
+                : open(project).and_then([&](const SessionInputs& inputs) {
+                    return proposeBoardsAndMirroredVideos(*inputs.source, board,
+                                                          kBoardProposalFrames, report);
+                  }));
         *looking = false;
         return [this, proposed] { takeGuesses(*proposed); };
       });
   Q_EMIT changed();
 }
 
-BoardCalibrator::Proposed BoardCalibrator::proposedIn(FrameSetSource& source,
-                                                      const BoardDescription& board,
-                                                      const CalibrationProgress& progress) {
-  Proposed proposed;
-  proposed.guesses = proposeBoards(source, board, kBoardProposalFrames, progress);
-  if (proposed.guesses) {
-    proposed.mirroredVideos =
-        findMirroredVideos(source, proposed.guesses->front().board, kBoardProposalFrames, progress)
-            .value_or(MirroredVideos());
-  }
-  return proposed;
-}
-
-void BoardCalibrator::takeGuesses(const Proposed& proposed) {
-  const auto& guesses = proposed.guesses;
-  if (!guesses) {
-    failure_ = guesses.error().code == ErrorCode::NotFound
+void BoardCalibrator::takeGuesses(const Proposal& proposed) {
+  if (!proposed) {
+    failure_ = proposed.error().code == ErrorCode::NotFound
                    ? tr("No board was found. Show the whole board in focus and in even light, then "
                         "press Find board again.")
-                   : errorText(guesses.error());
+                   : errorText(proposed.error());
     return;
   }
-  const BoardGuess& best = guesses->front();
-  if (proposed.mirroredVideos.cause != MirroredVideos::Cause::None) {
-    mirrored_ = proposed.mirroredVideos;
+  const BoardGuess& best = proposed->guesses.front();
+  const MirroredVideos mirrored = proposed->mirroredVideos.value_or(MirroredVideos());
+  if (mirrored.cause != MirroredVideos::Cause::None) {
+    mirrored_ = mirrored;
     proposal_ = best;
     Q_EMIT mirroredVideosFound();
     return;
@@ -300,7 +282,8 @@ void BoardCalibrator::calibrateFromCapturedViews() {
   compute(
       [project = project(), seen = state->detections, goal = request_.goal,
        request = requestForCapturedViews(request_, *state)](const CalibrationProgress& progress) {
-        return Computed{calibrateFromBoards(project, *seen, request, goal, progress)};
+        return BoardRecordingCalibration{
+            calibrateFromBoards(project, *seen, request, goal, progress)};
       },
       false);
 }

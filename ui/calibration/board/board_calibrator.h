@@ -3,8 +3,7 @@
 
 #include "core/session/session.h"
 #include "core/setup/calibration/board_guide_thread.h"
-#include "core/setup/calibration/board_proposal.h"
-#include "core/setup/calibration/mirrored_videos.h"
+#include "core/setup/calibration/board_recording.h"
 #include "ui/jobs/job_thread.h"
 
 #include <QObject>
@@ -122,28 +121,15 @@ Q_SIGNALS:
   void failed(const QString& sentence);
 
 private:
-  /// Result of a calibration, and another board that was seen instead.
-  struct Computed {
-    Result<BoardOutcome> outcome;
-    std::optional<BoardGuess> otherBoard = std::nullopt;
-    bool hasSearchedAllFrames = true; ///< see BoardDetections
-    MirroredVideos mirroredVideos = {};
-  };
-  /// Boards that a search proposes, and the videos that it found mirrored.
-  struct Proposed {
-    Result<std::vector<BoardGuess>> guesses;
-    MirroredVideos mirroredVideos = {};
-  };
-  static Proposed proposedIn(FrameSetSource& source, const BoardDescription& board,
-                             const CalibrationProgress& progress);
-  using Computation = std::function<Computed(const CalibrationProgress& progress)>;
+  using Proposal = Result<BoardRecordingProposal>;
+  using Computation = std::function<BoardRecordingCalibration(const CalibrationProgress& progress)>;
   void calibrateRecording(bool checksForOtherBoardFirst);
   void setWatching(bool watching);
   /// Calibrates if the user has shown all views that the guidance asked for.
   void finishWhenGuided();
   void compute(Computation computation, bool applyIt);
-  void applyResult(const std::shared_ptr<Computed>& computed, bool applyIt);
-  void takeGuesses(const Proposed& proposed);
+  void applyResult(const std::shared_ptr<BoardRecordingCalibration>& computed, bool applyIt);
+  void takeGuesses(const Proposal& proposed);
   void write(const std::function<Status()>& task, const QString& file, int sheets = 1);
   void discardResults();
   std::function<void()> wakeUp();
