@@ -7,6 +7,7 @@
 #include "core/calibration/formats/format_plain.h"
 #include "core/calibration/formats/number_text.h"
 #include "core/calibration/formats/yaml_reader.h"
+#include "core/geometry/camera_name.h"
 #include "core/geometry/rotation_vector.h"
 
 #include <fmt/format.h>
@@ -176,7 +177,7 @@ Result<ParsedCalibration> readPair(const CalibrationText& source, const Calibrat
     CameraParts parts;
     const std::string matrix = std::string("M") + number;
     const std::string distortion = std::string("D") + number;
-    parts.name = std::string("camera ") + number;
+    parts.name = defaultCameraName(calibration.rig.size()); // they are read in order
     readOpenCvSize(intrinsics, hints, parts);
     parts.matrix = intrinsics.matrix(matrix.c_str(), 3, 3);
     parts.distortion = intrinsics.numbers(distortion.c_str(), {4, 5, 8, 12, 14});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the dialog shows before anything is written: numbers first, and how far the run goes.
 #include "core/trajectory/export/export_catalog.h"
+#include "tests/ui/export/dialog_fields.h"
 #include "tests/ui/wait.h"
 #include "tests/ui/window_test.h"
 #include "ui/export/export_dialog.h"
@@ -22,7 +23,9 @@
 
 namespace dewpoint::tests {
 
-class ExportPreviewTest : public QObject, private test::Waiting {
+class ExportPreviewTest : public QObject,
+                          private test::Waiting,
+                          private test::DialogFields<std::unique_ptr<ExportDialog>> {
   Q_OBJECT
 private Q_SLOTS:
   void init();
@@ -32,11 +35,6 @@ private Q_SLOTS:
   void aRangeBeyondTheRunSaysHowFarItGoes();
 
 private:
-  template <class Field> Field* field(const char* name) const {
-    auto* found = dialog_->findChild<Field*>(QLatin1String(name));
-    Q_ASSERT(found != nullptr);
-    return found;
-  }
   QPlainTextEdit* lines() const { return field<QPlainTextEdit>("exportPreview"); }
   /// The line at the top of the preview.
   QString firstSeen() const {
@@ -56,7 +54,6 @@ private:
   }
 
   Trajectory run_;
-  std::unique_ptr<ExportDialog> dialog_;
 };
 
 void ExportPreviewTest::init() {

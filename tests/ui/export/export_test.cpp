@@ -5,6 +5,7 @@
 #include "core/project/project_save.h"
 #include "core/session/snapshot/snapshot.h"
 #include "core/trajectory/export/export_catalog.h"
+#include "tests/ui/export/dialog_fields.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/export/export_dialog.h"
@@ -28,7 +29,9 @@
 
 namespace dewpoint::tests {
 
-class ExportTest : public QObject, private test::WindowFixture {
+class ExportTest : public QObject,
+                   private test::WindowFixture,
+                   private test::DialogFields<ExportDialog*> {
   Q_OBJECT
 private Q_SLOTS:
   void initTestCase();
@@ -50,17 +53,10 @@ private Q_SLOTS:
   void takesPicturesOfEveryView();
 
 private:
-  template <class Field> Field* field(const char* name) const {
-    auto* found = dialog_->findChild<Field*>(QLatin1String(name));
-    Q_ASSERT(found != nullptr);
-    return found;
-  }
   QString preview() const { return field<QPlainTextEdit>("exportPreview")->toPlainText(); }
   void chooseFormat(std::string_view id) const {
     field<QComboBox>("exportFormat")->setCurrentText(exportFormatName(id));
   }
-
-  ExportDialog* dialog_ = nullptr;
 };
 
 namespace {

@@ -3,6 +3,7 @@
 #include "core/base/text_file.h"
 #include "core/capture/video_reader.h"
 #include "core/session/session.h"
+#include "tests/ui/export/dialog_fields.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/cameraview/camera_view.h"
@@ -27,7 +28,9 @@
 
 namespace dewpoint::tests {
 
-class VideoExportTest : public QObject, private test::WindowFixture {
+class VideoExportTest : public QObject,
+                        private test::WindowFixture,
+                        private test::DialogFields<VideoDialog*> {
   Q_OBJECT
 private Q_SLOTS:
   void initTestCase();
@@ -45,11 +48,6 @@ private Q_SLOTS:
   void closingTheProjectStopsIt();
 
 private:
-  template <class Field> Field* field(const char* name) const {
-    auto* found = dialog_->findChild<Field*>(QLatin1String(name));
-    Q_ASSERT(found != nullptr);
-    return found;
-  }
   void check(int row, bool checked) const {
     field<QListWidget>("videoViews")
         ->item(row)
@@ -70,8 +68,6 @@ private:
     start();
     return waitFor([this] { return isIdle(); });
   }
-
-  VideoDialog* dialog_ = nullptr;
 };
 
 void VideoExportTest::initTestCase() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/gate.h"
+#include "tests/ui/wait.h"
 #include "tests/ui/window_test.h"
 #include "ui/jobs/background_job.h"
 #include "ui/jobs/job_queue.h"
@@ -19,18 +20,7 @@ namespace dewpoint::tests {
 
 using test::Gate;
 
-namespace {
-
-constexpr int kTimeoutMs = DEWPOINT_PATIENCE_MS;
-
-bool allEnded() {
-  return QTest::qWaitFor([] { return waitForDetachedJobs(std::chrono::milliseconds(0)); },
-                         kTimeoutMs);
-}
-
-} // namespace
-
-class BackgroundJobTest : public QObject {
+class BackgroundJobTest : public QObject, private test::Waiting {
   Q_OBJECT
 private Q_SLOTS:
   void givesWhatItFoundInTheWindowsThread();
@@ -43,6 +33,11 @@ private Q_SLOTS:
   void whatIsOvertakenIsDroppedOrKept();
   void whatDoesNotNoticeIsLeftBehind();
   void theQueueWorksInOrderAndToTheEnd();
+
+private:
+  static bool allEnded() {
+    return waitFor([] { return waitForDetachedJobs(std::chrono::milliseconds(0)); });
+  }
 };
 
 void BackgroundJobTest::givesWhatItFoundInTheWindowsThread() {
@@ -103,7 +98,7 @@ void BackgroundJobTest::whoeverDropsItDoesNotWait() {
     gate->pass();
     return [heard] { *heard = true; };
   }));
-  QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 1; }, kTimeoutMs));
+  QVERIFY(waitFor([&] { return gate->waiting() == 1; }));
   job.reset();
   QVERIFY(!waitForDetachedJobs(std::chrono::milliseconds(0)));
   gate->open();
@@ -133,9 +128,9 @@ void BackgroundJobTest::whoeverDropsWhatWaitsDoesNotWait() {
   const auto copy = std::make_unique<std::shared_ptr<SlowToGo>>(other);
   one.reset();
   other.reset();
-  QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 1; }, kTimeoutMs));
+  QVERIFY(waitFor([&] { return gate->waiting() == 1; }));
   copy->reset(); // the last owner
-  QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 2; }, kTimeoutMs));
+  QVERIFY(waitFor([&] { return gate->waiting() == 2; }));
   QVERIFY(!waitForDetachedJobs(std::chrono::milliseconds(0)));
   gate->open();
   QVERIFY(allEnded());
@@ -157,7 +152,7 @@ void BackgroundJobTest::abandonedItMakesRoom() {
   QVERIFY(job.start([&second](const BackgroundJob::Progress&) -> std::function<void()> {
     return [&second] { ++second; };
   }));
-  QVERIFY(QTest::qWaitFor([&] { return second == 1; }, kTimeoutMs));
+  QVERIFY(waitFor([&] { return second == 1; }));
   gate->open();
   QVERIFY(allEnded());
   QCoreApplication::processEvents();
@@ -178,7 +173,7 @@ void BackgroundJobTest::ofThoseThatWaitOnlyTheNewestIsBegun() {
   }
   QVERIFY(job.isRunning());
   gate->open();
-  QVERIFY(QTest::qWaitFor([&] { return idle.size() == 1; }, kTimeoutMs));
+  QVERIFY(waitFor([&] { return idle.size() == 1; }));
   QCOMPARE(done, (std::vector<int>{1, 3}));
   QVERIFY(!job.isRunning());
 }
@@ -197,11 +192,11 @@ void BackgroundJobTest::whatIsOvertakenIsDroppedOrKept() {
   order(1);
   order(2);
   gate->open();
-  QVERIFY(QTest::qWaitFor([&] { return idle.size() == 1; }, kTimeoutMs));
+  QVERIFY(waitFor([&] { return idle.size() == 1; }));
   QCOMPARE(done, (std::vector<int>{2}));
   order(3);
   job.cancel();
-  QVERIFY(QTest::qWaitFor([&] { return idle.size() == 2; }, kTimeoutMs));
+  QVERIFY(waitFor([&] { return idle.size() == 2; }));
   QCOMPARE(done, (std::vector<int>{2}));
 }
 
@@ -214,7 +209,7 @@ void BackgroundJobTest::whatDoesNotNoticeIsLeftBehind() {
     return nullptr;
   });
   job.start([&done](const BackgroundJob::Progress&) { return [&done] { done = true; }; });
-  QVERIFY(QTest::qWaitFor([&] { return done; }, kTimeoutMs));
+  QVERIFY(waitFor([&] { return done; }));
   gate->open();
   QVERIFY(allEnded());
 }
@@ -233,7 +228,7 @@ void BackgroundJobTest::theQueueWorksInOrderAndToTheEnd() {
       return [told, number] { told->push_back(number); };
     });
   }
-  QVERIFY(QTest::qWaitFor([&] { return !told->empty(); }, kTimeoutMs));
+  QVERIFY(waitFor([&] { return !told->empty(); }));
   queue.reset(); // nobody listens any more, and all is done all the same
   gate->open();
   QVERIFY(allEnded());
