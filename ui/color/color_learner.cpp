@@ -91,11 +91,11 @@ void ColorLearner::learnFrom(int camera, const QRectF& region, SampleAction acti
       return [this, error = sample.error()] { Q_EMIT failed(errorText(error)); };
     }
     samples.push_back(std::move(*sample));
-    const auto lesson = scene.learn(samples);
-    if (!lesson) {
-      return [this, error = lesson.error()] { Q_EMIT failed(errorText(error)); };
+    const auto result = scene.learn(samples);
+    if (!result) {
+      return [this, error = result.error()] { Q_EMIT failed(errorText(error)); };
     }
-    return [this, target, lesson = *lesson, step] { applyResult(target, lesson, step); };
+    return [this, target, result = *result, step] { applyResult(target, result, step); };
   });
 }
 
@@ -121,15 +121,15 @@ void ColorLearner::removeSample(int index) {
     return;
   }
   start([this, samples, target, step, scene = scene()]() -> std::function<void()> {
-    const auto lesson = scene.learn(samples);
-    if (!lesson) {
-      return [this, error = lesson.error()] { Q_EMIT failed(errorText(error)); };
+    const auto result = scene.learn(samples);
+    if (!result) {
+      return [this, error = result.error()] { Q_EMIT failed(errorText(error)); };
     }
-    return [this, target, lesson = *lesson, step] { applyResult(target, lesson, step); };
+    return [this, target, result = *result, step] { applyResult(target, result, step); };
   });
 }
 
-void ColorLearner::applyResult(int target, const setup::ClickLearningResult& lesson,
+void ColorLearner::applyResult(int target, const setup::ClickLearningResult& result,
                                const QString& step) {
   int learnedTarget = target;
   const auto edited = document_.edit(step, [&](Project& project) {
@@ -139,7 +139,7 @@ void ColorLearner::applyResult(int target, const setup::ClickLearningResult& les
       project.targets.push_back(added);
       learnedTarget = static_cast<int>(project.targets.size()) - 1;
     }
-    setup::applyLearningResult(lesson, static_cast<std::size_t>(learnedTarget), project);
+    setup::applyLearningResult(result, static_cast<std::size_t>(learnedTarget), project);
   });
   if (!edited) {
     Q_EMIT failed(errorText(edited.error()));
@@ -147,9 +147,9 @@ void ColorLearner::applyResult(int target, const setup::ClickLearningResult& les
   }
   setTarget(learnedTarget);
   Q_EMIT colorLearned(learnedTarget, learnedTarget != target);
-  Q_EMIT learningResultReady(lesson);
-  if (lesson.color.assessment.isTargetKnown) {
-    Q_EMIT colorAssessed(lesson.color.assessment);
+  Q_EMIT learningResultReady(result);
+  if (result.color.assessment.isTargetKnown) {
+    Q_EMIT colorAssessed(result.color.assessment);
   } else {
     assessLearnedColor();
   }

@@ -43,7 +43,7 @@ Q_SIGNALS:
   /// Emitted when a color was learned. `isNew` is true if the target did not exist before.
   void colorLearned(int target, bool isNew);
   /// Emitted with everything that was learned from clicks, before the color is assessed.
-  void learningResultReady(const dewpoint::setup::ClickLearningResult& lesson);
+  void learningResultReady(const dewpoint::setup::ClickLearningResult& result);
   void colorAssessed(const dewpoint::color::ColorAssessment& assessment);
   void failed(const QString& sentence);
   void busyChanged(bool busy);
@@ -57,7 +57,7 @@ private:
   /// Runs `work` in another thread, then runs the function it returns in the GUI thread. A newer
   /// call replaces an earlier one.
   void start(Work work);
-  void applyResult(int target, const setup::ClickLearningResult& lesson, const QString& step);
+  void applyResult(int target, const setup::ClickLearningResult& result, const QString& step);
 
   Document& document_;
   TrackSnapshotPtr snapshot_;

@@ -105,10 +105,10 @@ void ColorPanel::connectLearner() {
   connect(boxes_, &BoxPicker::boxDefined, this, showLearned);
   connect(boxes_, &BoxPicker::failed, this, &ColorPanel::failed);
   connect(learner_, &ColorLearner::learningResultReady, this,
-          [this](const setup::ClickLearningResult& lesson) {
-            found_ = lesson.outlines;
-            shownRadius_ = lesson.radius;
-            isPart_ = lesson.part.has_value();
+          [this](const setup::ClickLearningResult& result) {
+            found_ = result.outlines;
+            shownRadius_ = result.radius;
+            isPart_ = result.part.has_value();
           });
   connect(learner_, &ColorLearner::colorAssessed, this, &ColorPanel::showAssessment);
   assessSoon_->setSingleShot(true);

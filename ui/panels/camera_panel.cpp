@@ -64,9 +64,9 @@ void CameraPanel::makeFields() {
   name_->setObjectName(QStringLiteral("cameraName"));
   source_->setObjectName(QStringLiteral("cameraSource"));
   browse_->setObjectName(QStringLiteral("cameraBrowse"));
-  backgroundImage_->setObjectName(QStringLiteral("cameraEmptyRoom"));
-  backgroundImageBrowse_->setObjectName(QStringLiteral("cameraEmptyRoomBrowse"));
-  backgroundImageTake_->setObjectName(QStringLiteral("cameraEmptyRoomTake"));
+  backgroundImage_->setObjectName(QStringLiteral("cameraBackgroundImage"));
+  backgroundImageBrowse_->setObjectName(QStringLiteral("cameraBackgroundImageBrowse"));
+  backgroundImageTake_->setObjectName(QStringLiteral("cameraBackgroundImageTake"));
   rotation_->setObjectName(QStringLiteral("cameraTurn"));
   mirror_->setObjectName(QStringLiteral("cameraMirror"));
   load_->setObjectName(QStringLiteral("cameraLoadCalibration"));

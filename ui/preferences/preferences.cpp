@@ -17,7 +17,7 @@ constexpr QLatin1String kWindowGeometry("window/geometry");
 constexpr QLatin1String kRecentProjects("recentProjects");
 constexpr QLatin1String kLastFolder("lastFolder");
 constexpr QLatin1String kFilterThreads("filter/threads");
-constexpr QLatin1String kSlowUntilHeld("playback/slowUntilHeld");
+constexpr QLatin1String kSlowUntilTracking("playback/slowUntilHeld");
 constexpr QLatin1String kPreRollSeconds("recording/preRollSeconds");
 constexpr QLatin1String kExportNotes("export/notes");
 constexpr QLatin1String kShortcuts("shortcuts/");
@@ -99,11 +99,11 @@ void Preferences::setFilterThreadCount(int threads) {
 }
 
 bool Preferences::isSlowUntilTracking() const {
-  return read(kSlowUntilHeld, true).toBool();
+  return read(kSlowUntilTracking, true).toBool();
 }
 
 void Preferences::setSlowUntilTracking(bool slow) {
-  write(kSlowUntilHeld, slow);
+  write(kSlowUntilTracking, slow);
 }
 
 int Preferences::preRollSeconds() const {

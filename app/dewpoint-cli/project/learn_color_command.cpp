@@ -82,7 +82,7 @@ void printFound(const std::vector<ColorSample>& samples, const Project& project)
   }
 }
 
-void printLearned(const Target& target, const setup::ClickLearningResult& lesson,
+void printLearned(const Target& target, const setup::ClickLearningResult& result,
                   const Project& project) {
   std::vector<std::string> cameras;
   for (const ProjectCamera& camera : project.cameras) {
@@ -90,22 +90,22 @@ void printLearned(const Target& target, const setup::ClickLearningResult& lesson
   }
   fmt::print("{}: the sample has {} pixels.\n", target.name, target.samples.front().areaPx);
   printFound(target.samples, project);
-  for (const ColorRange& range : lesson.color.ranges()) {
+  for (const ColorRange& range : result.color.ranges()) {
     fmt::print("{}\n", describeRange(range));
   }
-  if (!lesson.color.otherRanges.empty()) {
+  if (!result.color.otherRanges.empty()) {
     fmt::print("The samples show {} colors: a pixel within any of their ranges counts as target.\n",
-               lesson.color.ranges().size());
+               result.color.ranges().size());
   }
-  for (const std::string& text : describeAssessment(lesson.color.assessment, cameras)) {
+  for (const std::string& text : describeAssessment(result.color.assessment, cameras)) {
     fmt::print("{}\n", text);
   }
-  if (lesson.part) {
+  if (result.part) {
     fmt::print("The marked spot is part of a larger object of the same color. Only this spot is "
                "tracked, as a ball with radius {:.2g} m.\n",
                target.radius);
   }
-  if (const auto text = describeRadius(target.radius, lesson.radius); !text.empty()) {
+  if (const auto text = describeRadius(target.radius, result.radius); !text.empty()) {
     fmt::print("{}\n", text);
   }
 }

@@ -46,17 +46,17 @@ Result<Target> learnedTarget(const ClipTarget& target, const CameraRig& rig, Cli
     return tl::make_unexpected(sample.error());
   }
   sample->frame = target.click.frame;
-  auto lesson = setup::learnFromClicks(
+  auto learned = setup::learnFromClicks(
       rig, {.images = images, .backgroundImages = {}, .frame = target.click.frame}, {*sample});
-  if (!lesson) {
-    return tl::make_unexpected(lesson.error());
+  if (!learned) {
+    return tl::make_unexpected(learned.error());
   }
   Target result;
   result.name = target.name;
-  result.color = lesson->color.range;
-  result.otherColors = lesson->color.otherRanges;
-  result.samples = std::move(lesson->samples);
-  result.radius = lesson->part ? lesson->part->radius : 0.0;
+  result.color = learned->color.range;
+  result.otherColors = learned->color.otherRanges;
+  result.samples = std::move(learned->samples);
+  result.radius = learned->part ? learned->part->radius : 0.0;
   return result;
 }
 

@@ -95,26 +95,26 @@ std::optional<PositionCorrection> correctionFrom(const std::vector<PointClick>& 
 /// What samples in the images of one frame lead to in the other cameras.
 class FoundSamples {
 public:
-  FoundSamples(const ClickedImages& shown, ClickLearningResult& lesson)
-      : shown_(shown), lesson_(lesson), undecided_(shown.images.size()) {}
+  FoundSamples(const ClickedImages& shown, ClickLearningResult& result)
+      : shown_(shown), result_(result), undecided_(shown.images.size()) {}
 
   void add(const ColorSample& click, const Counterparts& counterparts) {
     clicks_.push_back(click);
     const std::size_t colors = color::groupSamplesByColor(clicks_).size();
-    if (lesson_.centers.empty()) {
-      lesson_.radius = counterparts.radius;
-      lesson_.centers = counterparts.centers;
+    if (result_.centers.empty()) {
+      result_.radius = counterparts.radius;
+      result_.centers = counterparts.centers;
     } else if (colors > colors_) {
       join(counterparts);
     }
     colors_ = colors;
     for (std::size_t i = 0; i < counterparts.samples.size(); ++i) {
       ColorSample sample = counterparts.samples[i];
-      if (!showsTarget(lesson_.samples, sample.camera, shown_.frame) ||
+      if (!showsTarget(result_.samples, sample.camera, shown_.frame) ||
           (colors > 1 && !showsColor(sample))) {
         sample.frame = shown_.frame;
-        lesson_.outlines.push_back({sample.camera, counterparts.outlines[i]});
-        lesson_.samples.push_back(std::move(sample));
+        result_.outlines.push_back({sample.camera, counterparts.outlines[i]});
+        result_.samples.push_back(std::move(sample));
       }
     }
     for (std::size_t camera = 0; camera < undecided_.size(); ++camera) {
@@ -126,7 +126,7 @@ public:
   std::vector<cv::Mat> undecided() const {
     std::vector<cv::Mat> masks = undecided_;
     for (std::size_t camera = 0; camera < masks.size(); ++camera) {
-      if (showsTarget(lesson_.samples, static_cast<int>(camera), shown_.frame)) {
+      if (showsTarget(result_.samples, static_cast<int>(camera), shown_.frame)) {
         masks[camera].release();
       }
     }
@@ -138,7 +138,7 @@ private:
   /// of several colors are found one by one.
   bool showsColor(const ColorSample& found) const {
     const BgrColor own = color::medianColor(found.colors);
-    return std::ranges::any_of(lesson_.samples, [&](const ColorSample& sample) {
+    return std::ranges::any_of(result_.samples, [&](const ColorSample& sample) {
       return !sample.isExcluded && sample.camera == found.camera && sample.frame == shown_.frame &&
              color::colorDistance(color::medianColor(sample.colors), own) < kSameColorDistance;
     });
@@ -146,22 +146,22 @@ private:
 
   /// Another color of the same thing: its region is a further part of its outline.
   void join(const Counterparts& part) {
-    if (!lesson_.radius || !part.radius) {
+    if (!result_.radius || !part.radius) {
       return;
     }
     const double share =
-        std::pow(*part.radius, 2) / (std::pow(*lesson_.radius, 2) + std::pow(*part.radius, 2));
-    for (PointClick& center : lesson_.centers) {
+        std::pow(*part.radius, 2) / (std::pow(*result_.radius, 2) + std::pow(*part.radius, 2));
+    for (PointClick& center : result_.centers) {
       const auto same = std::ranges::find(part.centers, center.camera, &PointClick::camera);
       if (same != part.centers.end()) {
         center.pixel += share * (same->pixel - center.pixel);
       }
     }
-    lesson_.radius = std::hypot(*lesson_.radius, *part.radius);
+    result_.radius = std::hypot(*result_.radius, *part.radius);
   }
 
   const ClickedImages& shown_;
-  ClickLearningResult& lesson_;
+  ClickLearningResult& result_;
   std::vector<cv::Mat> undecided_;
   std::vector<ColorSample> clicks_; ///< on the target, in these images
   std::size_t colors_ = 0;          ///< that they show
@@ -206,16 +206,15 @@ Result<ClickLearningResult> learnFromClicks(const CameraRig& rig, const ClickedI
                                             const std::vector<ColorSample>& samples,
                                             const CounterpartLimits& limits,
                                             const std::vector<ColorSample>& others) {
-  ClickLearningResult lesson;
-  lesson.samples = reorderedSamples(samples, shown.frame);
+  ClickLearningResult result;
+  result.samples = reorderedSamples(samples, shown.frame);
   const std::vector<ColorSample> alike = samplesOfSameColor(others, samples, shown.frame);
   CounterpartLimits known = limits;
   known.excludedSamples.insert(known.excludedSamples.end(), alike.begin(), alike.end());
   std::ranges::copy_if(
-      samples, std::back_inserter(known.excludedSamples), [&](const ColorSample& sample) {
-    return sample.isExcluded && sample.frame == shown.frame;
-  });
-  FoundSamples found(shown, lesson);
+      samples, std::back_inserter(known.excludedSamples),
+      [&](const ColorSample& sample) { return sample.isExcluded && sample.frame == shown.frame; });
+  FoundSamples found(shown, result);
   std::vector<PartMark> parts;
   std::vector<ColorSample> wholes;
   for (const ColorSample& sample : samples) {
@@ -229,9 +228,9 @@ Result<ClickLearningResult> learnFromClicks(const CameraRig& rig, const ClickedI
       }
     }
   }
-  lesson.part = locatePart(rig, shown.images, parts, wholes);
-  if (lesson.part) {
-    lesson.radius = lesson.part->radius;
+  result.part = locatePart(rig, shown.images, parts, wholes);
+  if (result.part) {
+    result.radius = result.part->radius;
   }
   std::vector<cv::Mat> undecided = found.undecided();
   for (const ColorSample& sample : alike) {
@@ -240,11 +239,11 @@ Result<ClickLearningResult> learnFromClicks(const CameraRig& rig, const ClickedI
       unite(color::regionOfSample(shown.images[camera], sample), undecided[camera]);
     }
   }
-  return color::learnColorWithBackground(lesson.samples, shown.images, shown.backgroundImages,
+  return color::learnColorWithBackground(result.samples, shown.images, shown.backgroundImages,
                                          undecided)
       .map([&](const LearnedColor& learned) {
-        lesson.color = learned;
-        return lesson;
+        result.color = learned;
+        return result;
       });
 }
 
@@ -265,41 +264,41 @@ Result<ClickLearningResult> learnFromClicks(const Project& project, int target,
   const CameraRig rig = rigOf(project);
   const bool isNew = target < 0 || target >= static_cast<int>(project.targets.size());
   const int index = isNew ? static_cast<int>(project.targets.size()) : target;
-  auto lesson = learnFromClicks(rig, shown, samples, limits, others);
-  if (lesson && lesson->part) {
-    const MarkedPart& part = *lesson->part;
-    lesson->correction = PositionCorrection{shown.frame, index, part.position.mean,
+  auto result = learnFromClicks(rig, shown, samples, limits, others);
+  if (result && result->part) {
+    const MarkedPart& part = *result->part;
+    result->correction = PositionCorrection{shown.frame, index, part.position.mean,
                                             part.position.covariance, part.clicks};
-  } else if (lesson && (!lesson->color.assessment.distractors.empty() ||
+  } else if (result && (!result->color.assessment.distractors.empty() ||
                         !samplesOfSameColor(others, samples, shown.frame).empty())) {
-    lesson->correction = correctionFrom(lesson->centers, rig, shown.frame, index);
+    result->correction = correctionFrom(result->centers, rig, shown.frame, index);
   }
-  return lesson;
+  return result;
 }
 
-void applyLearningResult(const ClickLearningResult& lesson, std::size_t target, Project& project) {
+void applyLearningResult(const ClickLearningResult& result, std::size_t target, Project& project) {
   Target& taught = project.targets.at(target);
   const auto index = static_cast<int>(target);
   for (const ColorSample& sample : taught.samples) {
-    if (isClick(sample) && std::ranges::count(lesson.samples, sample) == 0) {
+    if (isClick(sample) && std::ranges::count(result.samples, sample) == 0) {
       removeCorrection(project, sample.frame, index);
     }
   }
-  taught.color = lesson.color.range;
-  taught.otherColors = lesson.color.otherRanges;
-  taught.samples = lesson.samples;
-  if (lesson.part && taught.radius <= 0.0) {
+  taught.color = result.color.range;
+  taught.otherColors = result.color.otherRanges;
+  taught.samples = result.samples;
+  if (result.part && taught.radius <= 0.0) {
     constexpr double kRadiusStep = 1e-4; // meters: finer is not known
-    taught.radius = kRadiusStep * std::max(1.0, std::round(lesson.part->radius / kRadiusStep));
+    taught.radius = kRadiusStep * std::max(1.0, std::round(result.part->radius / kRadiusStep));
   }
-  if (!lesson.correction) {
+  if (!result.correction) {
     return;
   }
-  const PositionCorrection* present = correctionAt(project, lesson.correction->frame, index);
-  const bool marksMore = present != nullptr && lesson.part &&
-                         present->clicks.size() < lesson.correction->clicks.size();
+  const PositionCorrection* present = correctionAt(project, result.correction->frame, index);
+  const bool marksMore = present != nullptr && result.part &&
+                         present->clicks.size() < result.correction->clicks.size();
   if (present == nullptr || marksMore) {
-    PositionCorrection correction = *lesson.correction;
+    PositionCorrection correction = *result.correction;
     correction.target = index;
     addCorrection(project, correction);
   }

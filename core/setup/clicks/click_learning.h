@@ -91,7 +91,7 @@ Result<ClickLearningResult> learnFromClicks(const Project& project, int target,
 /// of an object, the radius of the part is also stored, unless the target already has a radius.
 /// Corrections in frames whose clicks are no longer among the samples are removed, since they may
 /// belong to another object.
-void applyLearningResult(const ClickLearningResult& lesson, std::size_t target, Project& project);
+void applyLearningResult(const ClickLearningResult& result, std::size_t target, Project& project);
 
 /// Returns the samples without one of them. An automatically found sample is marked as excluded,
 /// since it would be found again if removed.

@@ -103,14 +103,14 @@ Result<FootageLearningResult> learnFromFootage(Project project, FrameSetSource& 
   }
   const ColorSample& click = clicks.samples.front();
   const auto& shown = images->at(click.frame);
-  auto lesson = learnFromClicks(project, static_cast<int>(*target),
+  auto result = learnFromClicks(project, static_cast<int>(*target),
                                 {shown, backgroundImages, click.frame}, clicks.samples);
-  if (!lesson) {
-    return tl::make_unexpected(lesson.error());
+  if (!result) {
+    return tl::make_unexpected(result.error());
   }
-  applyLearningResult(*lesson, *target, project);
+  applyLearningResult(*result, *target, project);
   return checkProject(project).map([&] {
-    return FootageLearningResult{std::move(project), *target, std::move(*lesson),
+    return FootageLearningResult{std::move(project), *target, std::move(*result),
                                  shown.at(static_cast<std::size_t>(click.camera))};
   });
 }

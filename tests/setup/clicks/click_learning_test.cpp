@@ -25,11 +25,11 @@ bool matches(const color::ColorRange& range, const color::BgrColor& bgr) {
 
 TEST(ClickLearningResult, TakesInWhatTheOtherCameraShows) {
   const PaintedRig scene = ballInTwoColors();
-  const auto lesson =
+  const auto result =
       learnFromClicks(scene.rig, {scene.images, {}, 7}, {scene.clickOn(0, kBall, kRadius)});
   // The click is of frame 0, the images are of frame 7: nothing is searched for.
-  ASSERT_TRUE(lesson);
-  EXPECT_EQ(lesson->samples.size(), 1U);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->samples.size(), 1U);
 
   color::ColorSample click = scene.clickOn(0, kBall, kRadius);
   click.frame = 7;
@@ -49,9 +49,9 @@ TEST(ClickLearningResult, DoesNotSearchWhereTheTargetWasClicked) {
   const PaintedRig scene = ballInTwoColors();
   const std::vector<color::ColorSample> clicks{scene.clickOn(0, kBall, kRadius),
                                                scene.clickOn(1, kBall, kRadius)};
-  const auto lesson = learnFromClicks(scene.rig, {scene.images, {}, 0}, clicks);
-  ASSERT_TRUE(lesson);
-  EXPECT_EQ(lesson->samples, clicks);
+  const auto result = learnFromClicks(scene.rig, {scene.images, {}, 0}, clicks);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->samples, clicks);
 }
 
 // Two balls that touch, of one thing: each color is found in the other camera by itself.
@@ -63,21 +63,21 @@ TEST(ClickLearningResult, FindsEachColorOfATargetInTheOtherCamera) {
     scene.paint(camera, kBall, kRadius, kRed);
     scene.paint(camera, other, kRadius, blue);
   }
-  const auto lesson =
+  const auto result =
       learnFromClicks(scene.rig, {scene.images, {}, 0},
                       {scene.clickOn(0, kBall, kRadius), scene.clickOn(0, other, kRadius)});
-  ASSERT_TRUE(lesson);
-  ASSERT_EQ(lesson->samples.size(), 4U);
-  EXPECT_EQ(lesson->samples[2].camera, 1);
-  EXPECT_EQ(lesson->samples[3].camera, 1);
-  EXPECT_EQ(lesson->outlines.size(), 2U);
+  ASSERT_TRUE(result);
+  ASSERT_EQ(result->samples.size(), 4U);
+  EXPECT_EQ(result->samples[2].camera, 1);
+  EXPECT_EQ(result->samples[3].camera, 1);
+  EXPECT_EQ(result->outlines.size(), 2U);
   for (const color::BgrColor& bgr : {kRed, blue}) {
-    EXPECT_TRUE(color::ColorClassifier(lesson->color.ranges()).matches(bgr[0], bgr[1], bgr[2]));
+    EXPECT_TRUE(color::ColorClassifier(result->color.ranges()).matches(bgr[0], bgr[1], bgr[2]));
   }
-  ASSERT_TRUE(lesson->radius);
-  EXPECT_NEAR(*lesson->radius, std::sqrt(2.0) * kRadius, 0.2 * kRadius) << "of both together";
-  ASSERT_EQ(lesson->centers.size(), 2U);
-  for (const PointClick& center : lesson->centers) {
+  ASSERT_TRUE(result->radius);
+  EXPECT_NEAR(*result->radius, std::sqrt(2.0) * kRadius, 0.2 * kRadius) << "of both together";
+  ASSERT_EQ(result->centers.size(), 2U);
+  for (const PointClick& center : result->centers) {
     const auto camera = static_cast<std::size_t>(center.camera);
     const Eigen::Vector2d middle = 0.5 * (scene.discOf(camera, kBall, kRadius).center +
                                           scene.discOf(camera, other, kRadius).center);
@@ -85,8 +85,8 @@ TEST(ClickLearningResult, FindsEachColorOfATargetInTheOtherCamera) {
   }
   Project project;
   project.targets.resize(1);
-  applyLearningResult(*lesson, 0, project);
-  EXPECT_EQ(project.targets[0].colors(), lesson->color.ranges());
+  applyLearningResult(*result, 0, project);
+  EXPECT_EQ(project.targets[0].colors(), result->color.ranges());
 }
 
 TEST(ClickLearningResult, KeepsWhatWasFoundInOtherFramesWithTheirClicks) {
@@ -115,10 +115,10 @@ TEST(ClickLearningResult, KeepsWhatWasFoundInOtherFramesWithTheirClicks) {
 
 TEST(ClickLearningResult, ExcludesWhatWasFoundAndTakenAway) {
   const PaintedRig scene = ballInTwoColors();
-  const auto lesson =
+  const auto result =
       learnFromClicks(scene.rig, {scene.images, {}, 0}, {scene.clickOn(0, kBall, kRadius)});
-  ASSERT_TRUE(lesson);
-  const auto without = setup::withoutSample(lesson->samples, 1);
+  ASSERT_TRUE(result);
+  const auto without = setup::withoutSample(result->samples, 1);
   ASSERT_EQ(without.size(), 2U);
   EXPECT_TRUE(without[1].isExcluded && !without[1].isFoundByGeometry);
   EXPECT_TRUE(setup::hasClickedSample(without));
@@ -170,27 +170,27 @@ TEST(ClickLearningResult, SaysWhereTheTargetIsWhenOthersMatchToo) {
   EXPECT_FALSE(only->correction) << "its color says which one it is";
 
   scene.paintInAll(other, 0.5 * kSmall, kRed);
-  const auto lesson = setup::learnFromClicks(project, -1, {scene.images, {}, 0}, click);
-  ASSERT_TRUE(lesson);
-  ASSERT_TRUE(lesson->correction);
-  EXPECT_EQ(lesson->correction->frame, 0);
-  EXPECT_LT((lesson->correction->position - kBall).norm(), 0.01); // 1.5 px at 2 m
+  const auto result = setup::learnFromClicks(project, -1, {scene.images, {}, 0}, click);
+  ASSERT_TRUE(result);
+  ASSERT_TRUE(result->correction);
+  EXPECT_EQ(result->correction->frame, 0);
+  EXPECT_LT((result->correction->position - kBall).norm(), 0.01); // 1.5 px at 2 m
   project.targets.emplace_back();
-  setup::applyLearningResult(*lesson, 0, project);
-  EXPECT_EQ(project.targets[0].samples, lesson->samples);
+  setup::applyLearningResult(*result, 0, project);
+  EXPECT_EQ(project.targets[0].samples, result->samples);
   ASSERT_EQ(project.corrections.size(), 1U);
 
   // A correction of a click that stays is kept as it is.
   project.corrections[0].position = other;
-  setup::applyLearningResult(*lesson, 0, project);
+  setup::applyLearningResult(*result, 0, project);
   EXPECT_EQ(project.corrections[0].position, other);
 
   // One of a click that another has replaced is not: it may have been of another object.
-  setup::ClickLearningResult another = *lesson;
+  setup::ClickLearningResult another = *result;
   another.samples[0].x += 1.0;
   setup::applyLearningResult(another, 0, project);
   ASSERT_EQ(project.corrections.size(), 1U);
-  EXPECT_EQ(project.corrections[0].position, lesson->correction->position);
+  EXPECT_EQ(project.corrections[0].position, result->correction->position);
 }
 
 TEST(ClickLearningResult, ComparesRadii) {

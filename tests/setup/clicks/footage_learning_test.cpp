@@ -68,16 +68,16 @@ struct Footage {
 
 TEST(FootageLearningResult, MakesATargetOfAClick) {
   const Footage footage;
-  const auto lesson = footage.learn({{footage.click()}, "ball", 0.1, TargetShape::Ball});
-  ASSERT_TRUE(lesson) << errorSentence(lesson.error());
-  ASSERT_EQ(lesson->project.targets.size(), 1U);
-  const Target& target = lesson->project.targets[lesson->target];
+  const auto result = footage.learn({{footage.click()}, "ball", 0.1, TargetShape::Ball});
+  ASSERT_TRUE(result) << errorSentence(result.error());
+  ASSERT_EQ(result->project.targets.size(), 1U);
+  const Target& target = result->project.targets[result->target];
   EXPECT_EQ(target.name, "ball");
   EXPECT_EQ(target.radius, 0.1);
   EXPECT_EQ(target.shape, TargetShape::Ball);
   EXPECT_FALSE(target.samples.front().colors.empty());
   EXPECT_EQ(target.samples.size(), 2U) << "the other camera shows it, too";
-  EXPECT_EQ(lesson->clickedImage.data, footage.scene.images[0].data);
+  EXPECT_EQ(result->clickedImage.data, footage.scene.images[0].data);
 }
 
 TEST(FootageLearningResult, TeachesTheTargetThatIsMeant) {
@@ -102,8 +102,8 @@ TEST(FootageLearningResult, TeachesTheTargetThatIsMeant) {
 TEST(FootageLearningResult, SaysWhatCannotBeRead) {
   const Footage footage;
   const auto field = [&](const ColorSample& sample, std::optional<std::int64_t> frames) {
-    const auto lesson = footage.learn({{sample}, {}, {}, {}}, frames);
-    return lesson ? std::string() : lesson.error().field;
+    const auto result = footage.learn({{sample}, {}, {}, {}}, frames);
+    return result ? std::string() : result.error().field;
   };
   EXPECT_EQ(field(footage.click(5), 5), "frame");
   EXPECT_EQ(field(footage.click(), std::nullopt), "camera");

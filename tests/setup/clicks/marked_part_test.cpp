@@ -112,10 +112,10 @@ TEST(MarkedPart, BecomesTheTarget) {
   }
   project.targets.emplace_back();
   std::vector<color::ColorSample> boxes{boxOn(scene, 0, kHand, 1.2 * kHandRadius)};
-  const auto lesson = setup::learnFromClicks(project, 0, {scene.images, {}, 0}, boxes);
-  ASSERT_TRUE(lesson && lesson->part);
-  EXPECT_EQ(lesson->radius, lesson->part->radius);
-  setup::applyLearningResult(*lesson, 0, project);
+  const auto result = setup::learnFromClicks(project, 0, {scene.images, {}, 0}, boxes);
+  ASSERT_TRUE(result && result->part);
+  EXPECT_EQ(result->radius, result->part->radius);
+  setup::applyLearningResult(*result, 0, project);
   EXPECT_NEAR(project.targets[0].radius, kHandRadius, 0.01);
   ASSERT_EQ(project.corrections.size(), 1U);
   EXPECT_LT((project.corrections[0].position - kHand).norm(), 0.02);

@@ -16,9 +16,9 @@ using bodies::kRate;
 constexpr double kBirthTime = 0.2; ///< seconds: three intervals of 1/15 s
 
 /// Frames of the room, looked at one after the other.
-class PeopleBirthsTest : public ::testing::Test {
+class PeopleTrackInitiationTest : public ::testing::Test {
 protected:
-  PeopleBirthsTest() : cameras_(rig_, settings()) {
+  PeopleTrackInitiationTest() : cameras_(rig_, settings()) {
     cameras_.setBackgroundImages(bodies::backgroundImages(rig_));
     cameras_.restart();
     births_.setCameras(cameras_, settings().area, kHeight);
@@ -61,7 +61,7 @@ protected:
 };
 
 // Seen for 0 s in the first frame, for 1/15, 2/15 and 3/15 s in the next: 0.2 s in the fourth.
-TEST_F(PeopleBirthsTest, SomebodyIsBornWhoIsSeenForTheBirthTime) {
+TEST_F(PeopleTrackInitiationTest, SomebodyIsBornWhoIsSeenForTheBirthTime) {
   for (int frame = 0; frame < 3; ++frame) {
     EXPECT_TRUE(look({kPlace}).empty()) << frame;
   }
@@ -75,7 +75,7 @@ TEST_F(PeopleBirthsTest, SomebodyIsBornWhoIsSeenForTheBirthTime) {
 
 // A frame without sight takes back what the one before it gave: after 0, 1/15 and 0 s the time goes
 // on with 1/15, 2/15, 3/15 s.
-TEST_F(PeopleBirthsTest, AFrameWithoutSightCostsAsMuchAsOneGains) {
+TEST_F(PeopleTrackInitiationTest, AFrameWithoutSightCostsAsMuchAsOneGains) {
   look({kPlace});
   look({kPlace});
   look({});
@@ -84,7 +84,7 @@ TEST_F(PeopleBirthsTest, AFrameWithoutSightCostsAsMuchAsOneGains) {
 
 // A candidate is forgotten 0.15 s after it had nothing more to lose: -2/15 s are borne, -3/15 not.
 // Who is remembered begins with 1/15 s, who is new with 0.
-TEST_F(PeopleBirthsTest, ACandidateIsRememberedForAWhile) {
+TEST_F(PeopleTrackInitiationTest, ACandidateIsRememberedForAWhile) {
   look({kPlace});
   look({});
   look({});
@@ -96,7 +96,7 @@ TEST_F(PeopleBirthsTest, ACandidateIsRememberedForAWhile) {
   EXPECT_EQ(framesToBirth({kPlace}), 4);
 }
 
-TEST_F(PeopleBirthsTest, ARestartForgetsWhoIsUnderWay) {
+TEST_F(PeopleTrackInitiationTest, ARestartForgetsWhoIsUnderWay) {
   look({kPlace});
   look({kPlace});
   look({kPlace});
@@ -105,7 +105,7 @@ TEST_F(PeopleBirthsTest, ARestartForgetsWhoIsUnderWay) {
 }
 
 // Half a meter around people nobody is born, whatever the masks say.
-TEST_F(PeopleBirthsTest, NobodyIsBornWhereSomebodyStands) {
+TEST_F(PeopleTrackInitiationTest, NobodyIsBornWhereSomebodyStands) {
   const Eigen::Vector2d stands = kPlace + Eigen::Vector2d(0.3, 0.0);
   for (int frame = 0; frame < 10; ++frame) {
     for (const Eigen::Vector2d& born : look({kPlace}, {stands})) {
@@ -116,18 +116,18 @@ TEST_F(PeopleBirthsTest, NobodyIsBornWhereSomebodyStands) {
   EXPECT_EQ(framesToBirth({kPlace}, {kPlace + Eigen::Vector2d(0.0, 0.51)}), 4);
 }
 
-TEST_F(PeopleBirthsTest, ForegroundThatIsExplainedGivesBirthToNobody) {
+TEST_F(PeopleTrackInitiationTest, ForegroundThatIsExplainedGivesBirthToNobody) {
   explained_.assign(4, cv::Mat(240, 320, CV_8UC1, cv::Scalar(255)));
   EXPECT_FALSE(framesToBirth({kPlace}));
 }
 
-TEST_F(PeopleBirthsTest, TwoCamerasAreEnoughAndOneIsNot) {
+TEST_F(PeopleTrackInitiationTest, TwoCamerasAreEnoughAndOneIsNot) {
   EXPECT_EQ(framesToBirth({kPlace}, {}, {2, 3}), 4);
   births_.restart();
   EXPECT_FALSE(framesToBirth({kPlace}, {}, {0, 1, 2}));
 }
 
-TEST_F(PeopleBirthsTest, OneIsBornPerFrame) {
+TEST_F(PeopleTrackInitiationTest, OneIsBornPerFrame) {
   const Eigen::Vector2d other(-1.0, 0.6);
   for (int frame = 0; frame < 3; ++frame) {
     EXPECT_TRUE(look({kPlace, other}).empty());

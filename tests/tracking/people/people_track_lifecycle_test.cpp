@@ -57,9 +57,9 @@ ParameterValues lifecycleValues(bool births) {
 constexpr double kExact = 1e-8;
 
 /// The first frame counts 1/30 s, because there is none before it, every other one 1/15 s.
-class PeopleLifeTest : public ::testing::Test {
+class PeopleTrackLifecycleTest : public ::testing::Test {
 protected:
-  explicit PeopleLifeTest(bool births = false, CameraRig rig = bodies::room())
+  explicit PeopleTrackLifecycleTest(bool births = false, CameraRig rig = bodies::room())
       : rig_(std::move(rig)), life_(lifecycleValues(births), rig_) {
     life_.setBackgroundImages(bodies::backgroundImages(rig_));
     life_.restart(1);
@@ -88,7 +88,7 @@ const Eigen::Vector2d kOther(-0.8, 0.6);
 
 // Unseen for 1/30 + (n - 1) / 15 s after n frames; existence is what that leaves of 0.6 s. After
 // nine frames it is 1 - (17/30) / 0.6 = 1/18, in the tenth nothing is left.
-TEST_F(PeopleLifeTest, WhomNobodySeesFadesEvenlyAndGoes) {
+TEST_F(PeopleTrackLifecycleTest, WhomNobodySeesFadesEvenlyAndGoes) {
   put(kPlace);
   for (int n = 1; n <= 9; ++n) {
     step({});
@@ -105,7 +105,7 @@ TEST_F(PeopleLifeTest, WhomNobodySeesFadesEvenlyAndGoes) {
 
 // Four frames unseen are 7/30 s; one with sight takes back 2/15 s and leaves 3/30, the next one
 // all.
-TEST_F(PeopleLifeTest, WhoIsSeenAgainWinsBackTwiceAsFast) {
+TEST_F(PeopleTrackLifecycleTest, WhoIsSeenAgainWinsBackTwiceAsFast) {
   put(kPlace);
   for (int n = 0; n < 4; ++n) {
     step({});
@@ -119,7 +119,7 @@ TEST_F(PeopleLifeTest, WhoIsSeenAgainWinsBackTwiceAsFast) {
   EXPECT_NEAR(person(0).ageSeconds, 1.0 / 30.0 + 5.0 / 15.0, kExact);
 }
 
-TEST_F(PeopleLifeTest, WithoutAnyImageNothingChanges) {
+TEST_F(PeopleTrackLifecycleTest, WithoutAnyImageNothingChanges) {
   put(kPlace);
   step({});
   const double before = person(0).existenceProbability;
@@ -131,7 +131,7 @@ TEST_F(PeopleLifeTest, WithoutAnyImageNothingChanges) {
   EXPECT_EQ(person(0).existenceProbability, before);
 }
 
-TEST_F(PeopleLifeTest, WhoCrossesTheBorderHasLeft) {
+TEST_F(PeopleTrackLifecycleTest, WhoCrossesTheBorderHasLeft) {
   put(kPlace);
   life_.move = [](std::vector<PersonEstimate>& people) {
     people[0].position.x() = 1.99; // of 2 m
@@ -144,7 +144,7 @@ TEST_F(PeopleLifeTest, WhoCrossesTheBorderHasLeft) {
 }
 
 // An identity is never given twice, and how long each was unseen stays with them.
-TEST_F(PeopleLifeTest, WhoIsRemovedTakesNothingFromTheOthers) {
+TEST_F(PeopleTrackLifecycleTest, WhoIsRemovedTakesNothingFromTheOthers) {
   EXPECT_EQ(put(kPlace), 1);
   EXPECT_EQ(put({1.2, 1.2}), 2);
   EXPECT_EQ(put(kOther), 3);
@@ -166,7 +166,7 @@ TEST_F(PeopleLifeTest, WhoIsRemovedTakesNothingFromTheOthers) {
   EXPECT_EQ(put(kPlace), 1);
 }
 
-TEST_F(PeopleLifeTest, PeopleWithinAMeterInteract) {
+TEST_F(PeopleTrackLifecycleTest, PeopleWithinAMeterInteract) {
   put({0.0, 0.0});
   put({0.9, 0.0});
   put({0.0, -1.1});
@@ -187,9 +187,9 @@ CameraRig crosswise() {
 
 /// Beside each other for the first camera; for the second one stands 1.5 m behind the other, at
 /// twice the distance, and is half as large in the image: covered all over.
-class OneBehindTheOther : public PeopleLifeTest {
+class OneBehindTheOther : public PeopleTrackLifecycleTest {
 protected:
-  OneBehindTheOther() : PeopleLifeTest(false, crosswise()) {
+  OneBehindTheOther() : PeopleTrackLifecycleTest(false, crosswise()) {
     put(kFront);
     put(kBehind);
   }
@@ -221,13 +221,13 @@ TEST_F(OneBehindTheOther, WhoIsSeenNowhereFadesAsFastAsAnybody) {
   EXPECT_NEAR(person(1).existenceProbability, 1.0 - (1.0 / 30.0) / 0.6, kExact);
 }
 
-class PeopleLifeWithBirths : public PeopleLifeTest {
+class PeopleTrackLifecycleWithBirths : public PeopleTrackLifecycleTest {
 protected:
-  PeopleLifeWithBirths() : PeopleLifeTest(true) {}
+  PeopleTrackLifecycleWithBirths() : PeopleTrackLifecycleTest(true) {}
 };
 
-// Seen for 3/15 s in the fourth frame, see PeopleBirthsTest.
-TEST_F(PeopleLifeWithBirths, SomebodyWhoComesIsBornOnce) {
+// Seen for 3/15 s in the fourth frame, see PeopleTrackInitiationTest.
+TEST_F(PeopleTrackLifecycleWithBirths, SomebodyWhoComesIsBornOnce) {
   for (int frame = 0; frame < 3; ++frame) {
     step({kPlace});
     EXPECT_EQ(count(), 0U);
@@ -245,7 +245,7 @@ TEST_F(PeopleLifeWithBirths, SomebodyWhoComesIsBornOnce) {
   EXPECT_EQ(life_.bornOnes, (std::vector<int>{1}));
 }
 
-TEST_F(PeopleLifeWithBirths, NobodyIsBornOnTheBorder) {
+TEST_F(PeopleTrackLifecycleWithBirths, NobodyIsBornOnTheBorder) {
   for (int frame = 0; frame < 10; ++frame) {
     step({{2.0, 0.0}});
   }

@@ -88,7 +88,7 @@ private Q_SLOTS:
   void footageComesInOrderOnceItIsRead();
   void footageThatIsGivenUpIsNotHeard();
   void aRunIsWrittenWhenTheWindowIsGone();
-  void anEmptyRoomIsUsedOnceItIsWritten();
+  void aBackgroundImageIsUsedOnceItIsWritten();
 
 private:
   /// A project file of the demo, called so.
@@ -367,11 +367,11 @@ void SlowWorldTest::aRunIsWrittenWhenTheWindowIsGone() {
   QVERIFY(waitFor([this] { return std::filesystem::exists(path("second") / "run.json"); }));
 }
 
-void SlowWorldTest::anEmptyRoomIsUsedOnceItIsWritten() {
+void SlowWorldTest::aBackgroundImageIsUsedOnceItIsWritten() {
   QVERIFY(recordDesk(folder_.path().toStdString()));
   window_->openProject(path("desk.toml"));
-  auto* take = find<QPushButton>("cameraEmptyRoomTake");
-  auto* field = find<QLineEdit>("cameraEmptyRoom");
+  auto* take = find<QPushButton>("cameraBackgroundImageTake");
+  auto* field = find<QLineEdit>("cameraBackgroundImage");
   QVERIFY(waitFor([&] { return take->isEnabled(); }));
   window_->findChild<BackgroundImageTaker*>()->setWriter([disk = disk_](const auto&... order) {
     disk->pass();

@@ -90,31 +90,31 @@ std::optional<setup::ClickLearningResult> learnFrom(const ScenarioDraft& draft,
     }
     samples.push_back(*sample);
   }
-  auto lesson = setup::learnFromClicks(
+  auto result = setup::learnFromClicks(
       run.rig, {.images = images, .backgroundImages = {}, .frame = frame}, samples);
-  return lesson ? std::optional(std::move(*lesson)) : std::nullopt;
+  return result ? std::optional(std::move(*result)) : std::nullopt;
 }
 
 /// Gives the first target what was learned; else it keeps the range of a new target, which next to
 /// nothing matches.
-void take(const std::optional<setup::ClickLearningResult>& lesson, ScenarioRun& run) {
+void take(const std::optional<setup::ClickLearningResult>& result, ScenarioRun& run) {
   Target& target = run.targets.front();
   target.color = ColorRange{};
-  if (lesson) {
-    target.color = lesson->color.range;
-    target.otherColors = lesson->color.otherRanges;
-    target.samples = lesson->samples;
+  if (result) {
+    target.color = result->color.range;
+    target.otherColors = result->color.otherRanges;
+    target.samples = result->samples;
   }
 }
 
 /// Sets the first target's color to what the click teaches, in the images as the grade has them.
 /// Where the product cannot learn from it, it is told so and clicks again, in the middle.
 void teach(const ScenarioDraft& draft, const Click& click, ScenarioRun& run) {
-  auto lesson = learnFrom(draft, run, 0, {click});
-  if (!lesson) {
-    lesson = learnFrom(draft, run, 0, {{click.camera, Eigen::Vector2d::Zero()}});
+  auto result = learnFrom(draft, run, 0, {click});
+  if (!result) {
+    result = learnFrom(draft, run, 0, {{click.camera, Eigen::Vector2d::Zero()}});
   }
-  take(lesson, run);
+  take(result, run);
 }
 
 /// A color of a ball as one camera shows it: how many of the points that were looked at have it,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of the empty room, given to a camera in the window.
+// Background images, taken for a camera in the window.
 #include "core/project/project.h"
 #include "core/session/run/background_images.h"
 #include "core/session/snapshot/snapshot.h"
@@ -23,13 +23,13 @@
 
 namespace dewpoint::tests {
 
-class EmptyRoomTest : public QObject, private test::WindowFixture {
+class BackgroundImageTakerTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
   void init();
   void cleanup();
-  void theEmptyRoomIsAStepThatCanBeUndone();
+  void theBackgroundImageIsAStepThatCanBeUndone();
   void aPictureThatCannotBeWrittenIsSaid();
   void aPictureOfAnotherProjectIsNotUsed();
   void whatWasChosenMeanwhileStays();
@@ -37,17 +37,17 @@ private Q_SLOTS:
 private:
   /// Takes the image shown, which is not written before the gate opens.
   void takeAtTheGate();
-  const std::string& emptyRoom() const {
+  const std::string& backgroundImage() const {
     return window_->document().project().cameras[1].backgroundImageFile;
   }
-  QPushButton* take() const { return find<QPushButton>("cameraEmptyRoomTake"); }
-  QLineEdit* field() const { return find<QLineEdit>("cameraEmptyRoom"); }
+  QPushButton* take() const { return find<QPushButton>("cameraBackgroundImageTake"); }
+  QLineEdit* field() const { return find<QLineEdit>("cameraBackgroundImage"); }
   CameraPanel* panel() const { return window_->findChild<CameraPanel*>(); }
 
   std::shared_ptr<test::Gate> gate_;
 };
 
-void EmptyRoomTest::init() {
+void BackgroundImageTakerTest::init() {
   gate_ = std::make_shared<test::Gate>();
   folder_ = QTemporaryDir(); // with nothing of the last test
   makeWindow();
@@ -59,12 +59,12 @@ void EmptyRoomTest::init() {
   QVERIFY(waitFor([this] { return take()->isEnabled(); }));
 }
 
-void EmptyRoomTest::cleanup() {
+void BackgroundImageTakerTest::cleanup() {
   gate_->open();
   window_.reset();
 }
 
-void EmptyRoomTest::takeAtTheGate() {
+void BackgroundImageTakerTest::takeAtTheGate() {
   panel()->backgroundImageTaker().setWriter([gate = gate_](const auto&... order) {
     gate->pass();
     return saveBackgroundImage(order...);
@@ -74,12 +74,12 @@ void EmptyRoomTest::takeAtTheGate() {
   QVERIFY(!take()->isEnabled());
 }
 
-void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
+void BackgroundImageTakerTest::theBackgroundImageIsAStepThatCanBeUndone() {
   Document& document = window_->document();
   QVERIFY(window_->shown()->backgroundImages[1].empty());
   take()->click();
-  QVERIFY(waitFor([this] { return !emptyRoom().empty(); }));
-  const std::string kept = emptyRoom();
+  QVERIFY(waitFor([this] { return !backgroundImage().empty(); }));
+  const std::string kept = backgroundImage();
   QCOMPARE(document.undoStack()->count(), 1);
   QVERIFY(std::filesystem::exists(kept));
   QVERIFY(std::filesystem::path(kept).parent_path() == folder_.path().toStdString());
@@ -94,7 +94,7 @@ void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
            window_->shown()->frames->frames[1]->image.cols);
 
   document.undoStack()->undo();
-  QVERIFY(emptyRoom().empty());
+  QVERIFY(backgroundImage().empty());
   QVERIFY(field()->text().isEmpty());
   QVERIFY(std::filesystem::exists(kept)); // it can be redone
   QVERIFY(waitFor([&] { return window_->shown() && window_->shown()->frames; }));
@@ -106,19 +106,19 @@ void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
   QVERIFY(find<QLabel>("messageText")->text().contains(QStringLiteral("right")));
 }
 
-void EmptyRoomTest::aPictureThatCannotBeWrittenIsSaid() {
+void BackgroundImageTakerTest::aPictureThatCannotBeWrittenIsSaid() {
   panel()->backgroundImageTaker().setWriter([](const auto&...) -> Result<std::filesystem::path> {
     return failure(ErrorCode::FileUnwritable, "desk-empty-right.png", "", "the disk is full");
   });
   take()->click();
   QVERIFY(
       waitFor([this] { return messageText().contains(QStringLiteral("desk-empty-right.png")); }));
-  QVERIFY(emptyRoom().empty());
+  QVERIFY(backgroundImage().empty());
   QCOMPARE(window_->document().undoStack()->count(), 0);
   QVERIFY(take()->isEnabled());
 }
 
-void EmptyRoomTest::aPictureOfAnotherProjectIsNotUsed() {
+void BackgroundImageTakerTest::aPictureOfAnotherProjectIsNotUsed() {
   takeAtTheGate();
   Project other = window_->document().project();
   other.name = "other";
@@ -127,11 +127,11 @@ void EmptyRoomTest::aPictureOfAnotherProjectIsNotUsed() {
   gate_->open();
   QVERIFY(jobsEnd());
   QCOMPARE(QDir(folder_.path()).entryList({QStringLiteral("*-empty-right.png")}).size(), 1);
-  QVERIFY(emptyRoom().empty());
+  QVERIFY(backgroundImage().empty());
   QCOMPARE(window_->document().undoStack()->count(), 0);
 }
 
-void EmptyRoomTest::whatWasChosenMeanwhileStays() {
+void BackgroundImageTakerTest::whatWasChosenMeanwhileStays() {
   takeAtTheGate();
   const std::string chosen = file("chosen.png").toStdString();
   QVERIFY(window_->document().edit(QStringLiteral("Choose"), [&](Project& project) {
@@ -139,13 +139,13 @@ void EmptyRoomTest::whatWasChosenMeanwhileStays() {
   }));
   gate_->open();
   QVERIFY(waitFor([&] { return messageText().contains(QStringLiteral("-empty-right.png")); }));
-  QCOMPARE(emptyRoom(), chosen);
+  QCOMPARE(backgroundImage(), chosen);
   QCOMPARE(window_->document().undoStack()->count(), 1);
   QVERIFY(take()->isEnabled());
 }
 
-DEWPOINT_WINDOW_TEST(EmptyRoomTest)
+DEWPOINT_WINDOW_TEST(BackgroundImageTakerTest)
 
 } // namespace dewpoint::tests
 
-#include "empty_room_test.moc"
+#include "background_image_taker_test.moc"
