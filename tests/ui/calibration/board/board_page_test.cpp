@@ -8,6 +8,7 @@
 #include "ui/calibration/board/board_map.h"
 #include "ui/calibration/board/board_text.h"
 #include "ui/document/document.h"
+#include "ui/text/language.h"
 #include "ui/widgets/message_bar.h"
 
 #include <QComboBox>
@@ -15,7 +16,9 @@
 #include <QFile>
 #include <QLabel>
 #include <QPointer>
+#include <QProgressBar>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -45,6 +48,7 @@ private Q_SLOTS:
   void liveViewsCanBeTakenByHand();
   void theNextViewIsShownAcrossTheRoom();
   void everythingHasAName();
+  void theSearchIsKnownInAnotherLanguage();
 
 private:
   /// A picture of the window in both themes, as the manual shows it: into the folder that
@@ -317,6 +321,24 @@ void BoardPageTest::everythingHasAName() {
                         QLatin1String(widget->metaObject()->className())));
     QVERIFY2(!widget->toolTip().isEmpty(), qPrintable(widget->objectName()));
   }
+}
+
+void BoardPageTest::theSearchIsKnownInAnotherLanguage() {
+  const auto english = qScopeGuard([] { useLanguage(QStringLiteral("en")); });
+  useLanguage(QStringLiteral("de"));
+  openRecording();
+  QSignalSpy over(&calibrator(), &BoardCalibrator::calibrationEnded);
+  const QSignalSpy progress(&calibrator(), &BoardCalibrator::progressChanged);
+  auto* start = find<QPushButton>(QStringLiteral("boardCalibrate"));
+  scrollTo(start);
+  QTest::mouseClick(start, Qt::LeftButton);
+  QCOMPARE(find<QProgressBar>(QStringLiteral("boardProgress"))->format(),
+           QStringLiteral("Suche die Tafel: %p %"));
+  QVERIFY(over.wait(kTimeoutMs));
+  // How far the search is, is known by its stage, not by what the window calls it.
+  QVERIFY(!progress.isEmpty() && progress.first().first().toDouble() >= 0.0);
+  QVERIFY(!calibrator().isSearchingRecording());
+  QVERIFY2(calibrator().isApplied(), qPrintable(result()));
 }
 
 DEWPOINT_WINDOW_TEST(BoardPageTest)
