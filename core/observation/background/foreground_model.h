@@ -44,15 +44,26 @@ public:
   virtual void subtract(const cv::Mat& image, const cv::Mat& keep, cv::Mat& mask) = 0;
   /// Returns a new, untrained model with the same settings.
   virtual std::unique_ptr<ForegroundModel> makeUntrained() const = 0;
-  /// Returns a copy that gives the same results as this model for the same further images, bit for
-  /// bit. The copy shares no writable data with this model. Returns null if the model cannot be
-  /// copied, because OpenCV does not give access to its state.
-  virtual std::unique_ptr<ForegroundModel> clone() const { return nullptr; }
-  /// Returns whether clone() returns a copy.
-  virtual bool canBeCopied() const { return false; }
-  /// Returns the approximate size of a copy, bytes.
-  virtual std::size_t memoryBytes() const { return 0; }
 };
+
+/// Foreground model that can be copied together with what it has learned. The models of OpenCV
+/// cannot, because OpenCV does not give access to their state. copyableForeground() asks for this
+/// interface.
+class CopyableForeground {
+public:
+  virtual ~CopyableForeground() = default;
+  /// Returns a copy that gives the same results as this model for the same further images, bit for
+  /// bit. The copy shares no writable data with this model.
+  virtual std::unique_ptr<ForegroundModel> clone() const = 0;
+  /// Returns the approximate size of a copy, bytes.
+  virtual std::size_t memoryBytes() const = 0;
+};
+
+/// Returns the model as one that can be copied. Returns null if it cannot be copied, and for a null
+/// pointer.
+inline const CopyableForeground* copyableForeground(const ForegroundModel* model) {
+  return dynamic_cast<const CopyableForeground*>(model);
+}
 
 /// Creates the model selected by `settings`.
 std::unique_ptr<ForegroundModel> makeForegroundModel(const ForegroundSettings& settings);

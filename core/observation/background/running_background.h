@@ -13,7 +13,7 @@ namespace dewpoint::observation {
 /// and one mean absolute difference for all three channels. Shadows are recognized by their color:
 /// all channels are darker by about the same factor, as in Horprasert et al. 1999. The model is
 /// deliberately simple and takes only a fraction of the computing time of a mixture model.
-class RunningBackground final : public ForegroundModel {
+class RunningBackground final : public ForegroundModel, public CopyableForeground {
 public:
   explicit RunningBackground(const ForegroundSettings& settings) : settings_(settings) {}
 
@@ -27,7 +27,6 @@ public:
     copy->planes_ = {}; // rewritten with every image
     return copy;
   }
-  bool canBeCopied() const override { return true; }
   std::size_t memoryBytes() const override {
     return (3 * means_.front().size() + deviation_.size()) * sizeof(float);
   }

@@ -75,14 +75,15 @@ void PeopleCameras::restart() {
 
 bool PeopleCameras::canBeCopied() const {
   return std::ranges::all_of(
-      views_, [](const View& view) { return !view.model || view.model->canBeCopied(); });
+      views_, [](const View& view) { return !view.model || view.model.copyable() != nullptr; });
 }
 
 std::size_t PeopleCameras::memoryBytes() const {
   std::size_t sum = 0;
   for (const View& view : views_) {
     sum += view.image.total() * view.image.elemSize() + view.mask.total();
-    sum += view.model ? view.model->memoryBytes() : 0;
+    const CopyableForeground* const copyable = view.model.copyable();
+    sum += copyable != nullptr ? copyable->memoryBytes() : 0;
   }
   return sum;
 }

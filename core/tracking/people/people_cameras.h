@@ -57,13 +57,17 @@ private:
   public:
     Model() = default;
     Model(std::unique_ptr<ForegroundModel> model) : model_(std::move(model)) {} // NOLINT: implicit
-    Model(const Model& other) : model_(other.model_ ? other.model_->clone() : nullptr) {}
+    Model(const Model& other)
+        : model_(other.copyable() != nullptr ? other.copyable()->clone() : nullptr) {}
     Model(Model&&) noexcept = default;
     Model& operator=(const Model&) = delete;
     Model& operator=(Model&&) noexcept = default;
     ~Model() = default;
     explicit operator bool() const { return model_ != nullptr; }
     ForegroundModel* operator->() const { return model_.get(); }
+    /// Returns the model as one that can be copied; null if there is none, or if it cannot be
+    /// copied.
+    const CopyableForeground* copyable() const { return copyableForeground(model_.get()); }
 
   private:
     std::unique_ptr<ForegroundModel> model_;

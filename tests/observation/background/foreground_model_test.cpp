@@ -57,6 +57,31 @@ INSTANTIATE_TEST_SUITE_P(All, ForegroundModels,
                          testing::Values(BackgroundMethod::Running, BackgroundMethod::Mog2,
                                          BackgroundMethod::Knn));
 
+TEST(CopyableForeground, IsTheRunningModelOnlyAndGoesOnWithTheSameBits) {
+  ForegroundSettings settings;
+  for (const BackgroundMethod other : {BackgroundMethod::Mog2, BackgroundMethod::Knn}) {
+    settings.method = other;
+    EXPECT_EQ(copyableForeground(makeForegroundModel(settings).get()), nullptr);
+  }
+  EXPECT_EQ(copyableForeground(nullptr), nullptr);
+  settings.method = BackgroundMethod::Running;
+  const auto model = makeForegroundModel(settings);
+  for (std::uint32_t frame = 0; frame < 10; ++frame) {
+    model->learn(wall(frame));
+  }
+  const CopyableForeground* const copyable = copyableForeground(model.get());
+  ASSERT_NE(copyable, nullptr);
+  EXPECT_GT(copyable->memoryBytes(), 60U * 80U);
+  const auto copy = copyable->clone();
+  cv::Mat mask;
+  cv::Mat maskOfCopy;
+  for (std::uint32_t frame = 10; frame < 13; ++frame) {
+    model->subtract(withThing(frame), cv::Mat(), mask);
+    copy->subtract(withThing(frame), cv::Mat(), maskOfCopy);
+    EXPECT_EQ(cv::countNonZero(mask != maskOfCopy), 0);
+  }
+}
+
 TEST(RunningBackground, DoesNotLearnWhatIsToBeKept) {
   ForegroundSettings settings;
   settings.memoryFrameCount = 20.0;
