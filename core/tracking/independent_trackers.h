@@ -49,6 +49,7 @@ template <TargetFilter F>
 class IndependentTrackers : public Tracker,
                             public Configurable,
                             public TargetTracking,
+                            public FixedTargetCount,
                             public RigConfigurable,
                             public VolumeBounded,
                             public PositionCorrecting,
@@ -76,7 +77,7 @@ public:
       filters_[k].setTarget(targets[k]);
     }
   }
-  bool canChangeTargetCount() const override { return false; }
+  std::size_t targetCount() const override { return filters_.size(); }
   void setCameras(const CameraRig& rig) override {
     for (F& filter : filters_) {
       filter.setCameras(rig);

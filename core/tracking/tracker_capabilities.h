@@ -38,11 +38,18 @@ public:
 class TargetTracking {
 public:
   virtual ~TargetTracking() = default;
-  /// Sets new definitions of the same targets, in the same order. The number of targets may change
-  /// only if canChangeTargetCount() returns true.
+  /// Sets new definitions of the targets, in the same order. The number of targets may be another
+  /// one, unless the tracker is also a FixedTargetCount.
   virtual void setTargets(const std::vector<Target>& targets) = 0;
-  /// Returns whether the number of targets may change during a run.
-  virtual bool canChangeTargetCount() const = 0;
+};
+
+/// Tracker whose number of targets cannot change during a run. For another number of targets, a new
+/// tracker is needed.
+class FixedTargetCount {
+public:
+  virtual ~FixedTargetCount() = default;
+  /// Returns the number of targets, which is that of the tracker's construction.
+  virtual std::size_t targetCount() const = 0;
 };
 
 /// Tracker in which the user can correct the position of a target.
@@ -90,7 +97,9 @@ class Copyable {
 public:
   virtual ~Copyable() = default;
   /// Returns whether the tracker can be copied. The result is false if the tracker uses a
-  /// background model of OpenCV, which cannot be copied.
+  /// background model of OpenCV, which cannot be copied. This is a question, and not a property of
+  /// the type, because a parameter chooses the background model: the same type of tracker can be
+  /// copied with one model and not with another.
   virtual bool canBeCopied() const = 0;
   /// Returns a copy that continues from the present state with bit-identical results and shares no
   /// writable data. Returns null if the tracker cannot be copied.

@@ -24,7 +24,6 @@ public:
   std::size_t trackCount() const override { return estimates_.size(); }
   TrackEstimate estimate(std::size_t track) const override { return estimates_.at(track); }
   void setTargets(const std::vector<Target>& targets) override;
-  bool canChangeTargetCount() const override { return true; }
 
 private:
   ParameterValues parameters_;

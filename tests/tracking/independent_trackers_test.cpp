@@ -82,6 +82,7 @@ TEST(IndependentTrackers, TakeTargetsAndParametersOfAll) {
   EXPECT_EQ((*tracker)->iterationsPerFrame(), 9);
   capability<TargetTracking>(**tracker)->setTargets(
       {redBall()}); // fewer than there are: the others stay
+  EXPECT_EQ(capability<FixedTargetCount>(**tracker)->targetCount(), 2U);
   ThreadTeam team;
   (*tracker)->beginFrame(drawn::framesOf(rig, {}, 0));
   (*tracker)->iterate(team);

@@ -43,6 +43,7 @@ struct BaselineSetup {
 /// effect.
 class BaselineTracker final : public Tracker,
                               public TargetTracking,
+                              public FixedTargetCount,
                               public RigConfigurable,
                               public ParticleCloud {
 public:
@@ -51,7 +52,7 @@ public:
                   const StartVolume& start);
 
   void setTargets(const std::vector<Target>& targets) override;
-  bool canChangeTargetCount() const override { return false; }
+  std::size_t targetCount() const override { return targets_.size(); }
   void setCameras(const CameraRig& rig) override;
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override { return 1; }

@@ -116,10 +116,9 @@ void TrackingRun::restart(std::uint64_t seed) {
 }
 
 bool TrackingRun::accepts(const RunDefinition& definition) const {
-  const auto* const following = capability<TargetTracking>();
-  const bool canChangeTargetCount = following == nullptr || following->canChangeTargetCount();
+  const auto* const fixed = capability<FixedTargetCount>();
   return definition.method == definition_->method && haveSameImageSizes(*definition.rig, rig()) &&
-         (definition.targets.size() == definition_->targets.size() || canChangeTargetCount);
+         (fixed == nullptr || fixed->targetCount() == definition.targets.size());
 }
 
 void TrackingRun::apply(const RunDefinitionPtr& definition) {

@@ -40,7 +40,6 @@ public:
   /// indices if the number is unchanged, and by their names otherwise. Targets with an unchanged
   /// box continue; other targets start from scratch.
   void setTargets(const std::vector<Target>& targets) override;
-  bool canChangeTargetCount() const override { return true; }
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override { return 1; }
   /// Begins a frame. A target whose box belongs to this frame is present immediately, before any

@@ -21,6 +21,7 @@ namespace dewpoint::tracking {
 class DewpointTracker final : public Tracker,
                               public Configurable,
                               public TargetTracking,
+                              public FixedTargetCount,
                               public RigConfigurable,
                               public VolumeBounded,
                               public PositionCorrecting,
@@ -42,7 +43,7 @@ public:
   /// next iteration.
   void configure(const ParameterValues& parameters) override;
   void setTargets(const std::vector<Target>& targets) override;
-  bool canChangeTargetCount() const override { return false; }
+  std::size_t targetCount() const override { return objects_.targetCount(); }
   void setCameras(const CameraRig& rig) override;
   /// Limits the positions of targets to a volume. Distractors are tracked everywhere, because
   /// pixels that show a distractor must not count as evidence for a target inside the volume.
