@@ -148,7 +148,9 @@ void Broadcaster::updateRig(const TrackSnapshot& snapshot) {
   }
   rig_ = std::move(now);
   for (Line& line : lines_) {
-    line.outlet->setPreamble(line.format->preamble(*rig_));
+    if (auto* const outlet = dynamic_cast<PreambleOutlet*>(line.outlet.get())) {
+      outlet->setPreamble(line.format->preamble(*rig_));
+    }
   }
 }
 

@@ -12,14 +12,13 @@
 namespace dewpoint::broadcast {
 
 /// Sends each piece of a frame (StreamFormat::encode) as one UDP datagram to one receiver. Does not
-/// notice if there is no receiver. Sends no preamble (text before the first frame).
+/// notice if there is no receiver.
 class DatagramSender final : public Outlet {
 public:
   /// Opens a socket for sending to `address` (HOST:PORT, which may be a broadcast or multicast
   /// address). `kind` is used in the report. Error: BadValue if the address is unknown.
   static Result<std::unique_ptr<DatagramSender>> open(const std::string& address, OutletKind kind);
 
-  void setPreamble(const std::string& /*preamble*/) override {}
   void send(const std::vector<std::string>& pieces) override;
   OutletReport report() const override;
 

@@ -16,7 +16,7 @@ namespace dewpoint::broadcast {
 /// program reads from it. Each reader first gets the preamble, the text before the first frame. A
 /// line that does not fit into a pipe is dropped completely. send() blocks SIGPIPE in the thread
 /// that calls it.
-class LineFile final : public Outlet {
+class LineFile final : public PreambleOutlet {
 public:
   /// Opens an output. If `file` is "-", this is standard output. A file that does not exist is
   /// created, and the contents of an existing file are replaced. Error: FileUnwritable.

@@ -19,7 +19,7 @@ namespace dewpoint::broadcast {
 /// kMaxRemoteCommandBytes is ignored. If a client is too slow, lines for this client are dropped
 /// (OutgoingQueue). A client that does not acknowledge data for kAcknowledgeTimeoutSeconds is
 /// disconnected.
-class LineServer final : public Outlet {
+class LineServer final : public PreambleOutlet {
 public:
   static constexpr std::size_t kMaxClients = 256;
   static constexpr int kAcknowledgeTimeoutSeconds = 60;

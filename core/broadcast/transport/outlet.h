@@ -47,13 +47,19 @@ using SharedBytes = std::shared_ptr<const std::string>;
 class Outlet {
 public:
   virtual ~Outlet() = default;
-  /// Sets the preamble: text that each new receiver gets first. If the preamble changes, connected
-  /// receivers also get the new one.
-  virtual void setPreamble(const std::string& preamble) = 0;
   /// Sends the pieces of one frame (StreamFormat::encode).
   virtual void send(const std::vector<std::string>& pieces) = 0;
   /// Returns the status of the output.
   virtual OutletReport report() const = 0;
+};
+
+/// Output that knows when a receiver begins to read, and can therefore send it a preamble (text
+/// before the first frame). An output of datagrams does not know this.
+class PreambleOutlet : public Outlet {
+public:
+  /// Sets the preamble: text that each new receiver gets first. If the preamble changes, connected
+  /// receivers also get the new one.
+  virtual void setPreamble(const std::string& preamble) = 0;
 };
 
 } // namespace dewpoint::broadcast

@@ -23,7 +23,7 @@ namespace dewpoint::broadcast {
 /// within 30 s is disconnected.
 ///
 /// Requests from pages of other web sites are refused; see isAllowedOrigin().
-class WebServer final : public Outlet {
+class WebServer final : public PreambleOutlet {
 public:
   static constexpr std::size_t kMaxClients = 64;
   static constexpr int kRequestTimeoutSeconds = 10;

@@ -27,6 +27,13 @@ public:
   /// Returns the newest frame available from at().
   virtual std::int64_t newestFrame() const = 0;
   virtual std::size_t memoryBytes() const = 0;
+};
+
+/// Cache of frames from live cameras. After a restart of the run, these cameras deliver other
+/// images for the same frame numbers. A recording delivers the same images again, so its cache
+/// stays valid.
+class LiveFrameCache : public FrameCache {
+public:
   /// Removes all frames, for a restart of the run.
   virtual void clear() = 0;
 };

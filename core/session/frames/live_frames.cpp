@@ -63,7 +63,7 @@ FrameSetPtr decompress(const CachedFrame& kept) {
   return set;
 }
 
-class LiveFrames final : public FrameCache {
+class LiveFrames final : public LiveFrameCache {
 public:
   explicit LiveFrames(std::size_t maxBytes) : most_(maxBytes) {
     compressor_ = std::jthread([this](const std::stop_token& stop) { compressOld(stop); });
@@ -200,7 +200,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<FrameCache> makeLiveFrameCache(std::size_t maxBytes) {
+std::unique_ptr<LiveFrameCache> makeLiveFrameCache(std::size_t maxBytes) {
   return std::make_unique<LiveFrames>(maxBytes);
 }
 

@@ -10,6 +10,6 @@ namespace dewpoint::session {
 
 /// Returns a cache of frames from live cameras. The newest frames are kept uncompressed, older ones
 /// as JPEG, which a separate thread compresses. The cache uses at most `maxBytes` of memory.
-std::unique_ptr<FrameCache> makeLiveFrameCache(std::size_t maxBytes);
+std::unique_ptr<LiveFrameCache> makeLiveFrameCache(std::size_t maxBytes);
 
 } // namespace dewpoint::session

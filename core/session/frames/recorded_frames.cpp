@@ -72,7 +72,6 @@ public:
   std::int64_t oldestFrame() const override { return 0; }
   std::int64_t newestFrame() const override { return source_.frameCount().value_or(0) - 1; }
   std::size_t memoryBytes() const override { return bytes_ + previews_.memoryBytes(); }
-  void clear() override {} // what was decoded stays what it is
 
 private:
   FrameSetSource& source_;

@@ -5,6 +5,7 @@
 #include "core/session/frames/recorded_frames.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace dewpoint::session {
 namespace {
@@ -15,22 +16,30 @@ constexpr int kParticlesKept = 500;
 } // namespace
 
 TimeTravel::TimeTravel(FrameSetSource& source, std::size_t bytes)
-    : live_(source.isLive()), history_(HistoryLimits::forTotal(bytes, live_)) {
+    : history_(HistoryLimits::forTotal(bytes, source.isLive())) {
   const std::size_t most = history_.limits().imageBytes;
-  cache_ = live_ ? makeLiveFrameCache(most) : makeRecordedFrameCache(source, most);
+  if (source.isLive()) {
+    auto live = makeLiveFrameCache(most);
+    liveCache_ = live.get();
+    cache_ = std::move(live);
+  } else {
+    cache_ = makeRecordedFrameCache(source, most);
+  }
 }
 
 void TimeTravel::clear() {
   history_.clear();
-  cache_->clear();
+  if (liveCache_ != nullptr) {
+    liveCache_->clear();
+  }
   probe_.reset();
   probeNext_.reset();
 }
 
 void TimeTravel::noteFrameBegin(const FrameSetPtr& frames, const TrackingRun& run) {
   cache_->add(frames);
-  if (live_) {
-    history_.forgetBefore(cache_->oldestFrame());
+  if (liveCache_ != nullptr) {
+    history_.forgetBefore(liveCache_->oldestFrame());
   }
   history_.noteFrameBegin(frames->index, run);
 }

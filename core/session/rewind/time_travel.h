@@ -82,9 +82,9 @@ private:
   /// Tracks one past frame again, with the changes made during it.
   Status trackAgain(TrackingRun& run, const TrackedFrame& trackedFrame);
 
-  bool live_;
   History history_;
   std::unique_ptr<FrameCache> cache_;
+  LiveFrameCache* liveCache_ = nullptr;   ///< the same cache; null for a recording
   std::optional<TrackingRun> probe_;      ///< run of runAt()
   std::optional<std::int64_t> probeNext_; ///< next frame that the probe would begin
 };
