@@ -22,6 +22,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace dewpoint::experiment {
@@ -61,13 +62,70 @@ int peopleInView(const cv::Mat& people) {
   return count;
 }
 
-/// The image of camera 1, the only one of the scene, and the people in it.
-FrameSetPtr renderedFrame(const OfficeRenderer& renderer, std::int64_t frame, cv::Mat& people) {
-  FrameSet set{frame, timeStamp(renderer.scene().timeOf(frame)), {}};
-  cv::Mat image = renderer.render(0, frame, &people);
-  set.frames.push_back(std::make_shared<const Frame>(Frame{frame, set.time, std::move(image)}));
-  return std::make_shared<const FrameSet>(std::move(set));
-}
+/// The images of camera 1, the only one of the scene, and the people in them.
+class OfficeFrames final : public FrameSetSource {
+public:
+  explicit OfficeFrames(const OfficeRenderer& renderer) : renderer_(renderer) {}
+
+  std::optional<std::int64_t> frameCount() const override { return renderer_.scene().frameCount; }
+  double framesPerSecond() const override { return renderer_.scene().framesPerSecond; }
+  Result<FrameSetPtr> next() override {
+    const std::int64_t frame = next_++;
+    FrameSet set{frame, timeStamp(renderer_.scene().timeOf(frame)), {}};
+    people_ = cv::Mat();
+    cv::Mat image = renderer_.render(0, frame, &people_);
+    set.frames.push_back(std::make_shared<const Frame>(Frame{frame, set.time, std::move(image)}));
+    return std::make_shared<const FrameSet>(std::move(set));
+  }
+  Status seek(std::int64_t frame) override {
+    next_ = frame;
+    return {};
+  }
+
+  /// The number of the person at each pixel of the last image (0: nobody).
+  const cv::Mat& people() const { return people_; }
+
+private:
+  const OfficeRenderer& renderer_;
+  std::int64_t next_ = 0;
+  cv::Mat people_;
+};
+
+/// Keeps every frame from which on there are masks; with its image and D that of `pictured`.
+class MotionMaskObserver final : public FrameObserver {
+public:
+  MotionMaskObserver(const OfficeFrames& source, std::int64_t pictured,
+                     const ExperimentOptions& options)
+      : source_(source), pictured_(pictured), options_(options) {}
+
+  Status onFrameTracked(const TrackingRun& run) override {
+    const std::int64_t frame = run.frames()->index;
+    if (!reportProgress(options_, double(frame + 1) / double(*source_.frameCount()))) {
+      return stoppedExperimentError();
+    }
+    const cv::Mat mask = run.capability<PeopleFinding>()->foregroundMask(0);
+    if (mask.empty()) {
+      return {}; // still learning
+    }
+    MotionFrame& shown = frames_[frame];
+    shown.mask = mask.clone();
+    shown.people = peopleInView(source_.people());
+    shown.quality = measureMaskQuality(mask, source_.people());
+    if (frame == pictured_) {
+      shown.image = run.frames()->frames[0]->image;
+      shown.map = run.capability<MotionMapping>()->motionLikelihoodMaps().front();
+    }
+    return {};
+  }
+
+  std::map<std::int64_t, MotionFrame> takeFrames() { return std::move(frames_); }
+
+private:
+  const OfficeFrames& source_;
+  std::int64_t pictured_;
+  const ExperimentOptions& options_;
+  std::map<std::int64_t, MotionFrame> frames_;
+};
 
 /// Every frame of the scene from which on there are masks; with its image and D that of `pictured`.
 Result<std::map<std::int64_t, MotionFrame>> motionFrames(const OfficeRenderer& renderer,
@@ -77,31 +135,14 @@ Result<std::map<std::int64_t, MotionFrame>> motionFrames(const OfficeRenderer& r
   if (!run) {
     return tl::make_unexpected(run.error());
   }
-  std::map<std::int64_t, MotionFrame> frames;
-  const std::int64_t count = renderer.scene().frameCount;
-  for (std::int64_t frame = 0; frame < count; ++frame) {
-    cv::Mat people;
-    const FrameSetPtr set = renderedFrame(renderer, frame, people);
-    if (const auto tracked = trackOneFrame(*run, set, {}); !tracked) {
-      return tl::make_unexpected(tracked.error());
-    }
-    if (!reportProgress(options, double(frame + 1) / double(count))) {
-      return tl::make_unexpected(stoppedExperimentError().error());
-    }
-    const cv::Mat mask = run->capability<PeopleFinding>()->foregroundMask(0);
-    if (mask.empty()) {
-      continue; // still learning
-    }
-    MotionFrame& shown = frames[frame];
-    shown.mask = mask.clone();
-    shown.people = peopleInView(people);
-    shown.quality = measureMaskQuality(mask, people);
-    if (frame == pictured) {
-      shown.image = set->frames[0]->image;
-      shown.map = run->capability<MotionMapping>()->motionLikelihoodMaps().front();
-    }
+  OfficeFrames source(renderer);
+  MotionMaskObserver observer(source, pictured, options);
+  const std::array<FrameObserver*, 1> observers{&observer};
+  if (const auto tracked = trackFrames(source, {}, *run, observers, [] { return true; });
+      !tracked) {
+    return tl::make_unexpected(tracked.error());
   }
-  return frames;
+  return observer.takeFrames();
 }
 
 cv::Mat inColor(const cv::Mat& gray) {

@@ -327,6 +327,7 @@ Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
   const OfficeRenderer renderer(recording.scene, recording.roomViews);
   const auto picturedInstants =
       setup.drawsPictures ? chooseInstantsToShow(*scenario) : std::vector<PeopleInstant>();
+  // A loop of its own: every frame is rendered once, and all methods track it.
   for (std::int64_t frame = 0; frame < scenario->scene.frameCount; ++frame) {
     const OfficeInstant instant = renderInstant(recording, renderer, frame);
     for (EvaluatedTracker& one : *all) {

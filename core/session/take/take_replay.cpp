@@ -4,6 +4,7 @@
 #include "core/base/limits.h"
 #include "core/base/text_file.h"
 #include "core/base/units.h"
+#include "core/capture/frame_source.h"
 #include "core/capture/gstreamer/stored_stream.h"
 #include "core/capture/image_shape.h"
 #include "core/project/project_check.h"
@@ -19,10 +20,15 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <map>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace dewpoint::session {
 
@@ -30,10 +36,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The images of a take, in the frames of its live run.
-class StoredSets {
+/// The images of a take, in the frames of its live run. Images that the take does not have are
+/// missing.
+class StoredFrameSource final : public FrameSetSource {
 public:
-  explicit StoredSets(const Project& project) {
+  /// `sets` must outlive this object.
+  StoredFrameSource(const Project& project, const std::vector<StoredFrameSet>& sets) : sets_(sets) {
     for (const ProjectCamera& camera : project.cameras) {
       const Intrinsics& size = camera.camera.intrinsics;
       cameras_.push_back({{camera.camera.name, camera.rotateDegrees, size.width, size.height,
@@ -43,7 +51,29 @@ public:
     }
   }
 
-  /// The images of a frame. Those that the take does not have are missing.
+  std::optional<std::int64_t> frameCount() const override { return std::ssize(sets_); }
+  double framesPerSecond() const override { return kDefaultFramesPerSecond; } // nobody waits
+  Result<FrameSetPtr> next() override {
+    if (next_ >= std::ssize(sets_)) {
+      return FrameSetPtr();
+    }
+    return read(sets_[static_cast<std::size_t>(next_++)]);
+  }
+  Status seek(std::int64_t frame) override {
+    next_ = frame;
+    return {};
+  }
+
+  /// How many frame sets have been read.
+  std::int64_t position() const { return next_; }
+
+private:
+  struct StoredCamera {
+    ImageShape shape;
+    std::string file;
+    std::optional<StoredStream> stream; ///< opened for the first image
+  };
+
   Result<FrameSetPtr> read(const StoredFrameSet& stored) {
     auto set = std::make_shared<FrameSet>();
     set->index = stored.index;
@@ -64,13 +94,6 @@ public:
     return set;
   }
 
-private:
-  struct StoredCamera {
-    ImageShape shape;
-    std::string file;
-    std::optional<StoredStream> stream; ///< opened for the first image
-  };
-
   static Result<cv::Mat> readImage(StoredCamera& camera, std::int64_t number) {
     if (!camera.stream) {
       auto opened = StoredStream::open(camera.file, quotedCameraName(camera.shape.cameraName));
@@ -83,7 +106,9 @@ private:
         [&](const cv::Mat& picture) { return prepareImage(picture, camera.shape, camera.file); });
   }
 
+  const std::vector<StoredFrameSet>& sets_;
   std::vector<StoredCamera> cameras_;
+  std::int64_t next_ = 0;
 };
 
 bool isSameNumber(double a, double b) {
@@ -121,13 +146,37 @@ bool isSameFrame(std::int64_t frame, const std::vector<TrajectorySample>& again,
     }
     same = same && isSameEstimate(before->second, sample);
     if (before->second.isValid && sample.isValid) {
-      comparison.largestPositionDifference =
-          std::max(
+      comparison.largestPositionDifference = std::max(
           comparison.largestPositionDifference, (before->second.position - sample.position).norm());
     }
   }
   return same;
 }
+
+void countComparedFrame(std::int64_t frame, bool same, ReplayComparison& comparison) {
+  ++comparison.comparedFrameCount;
+  if (!same) {
+    ++comparison.differingFrameCount;
+    comparison.firstDifferingFrame = comparison.firstDifferingFrame.value_or(frame);
+  }
+}
+
+/// Compares the frames that are tracked again with those of the live run.
+class ReplayComparer final : public FrameObserver {
+public:
+  ReplayComparer(const SamplesByFrame& live, ReplayComparison& comparison)
+      : live_(live), comparison_(comparison) {}
+
+  Status onFrameTracked(const TrackingRun& run) override {
+    const std::int64_t frame = run.frames()->index;
+    countComparedFrame(frame, isSameFrame(frame, run.samples(), live_, comparison_), comparison_);
+    return {};
+  }
+
+private:
+  const SamplesByFrame& live_;
+  ReplayComparison& comparison_;
+};
 
 /// A frame number of the notes; nothing for anything else.
 std::optional<std::int64_t> frameIn(const nlohmann::json& value) {
@@ -232,29 +281,21 @@ Status replaySets(const Project& project, const std::vector<StoredFrameSet>& set
   if (!run) {
     return tl::make_unexpected(run.error());
   }
-  StoredSets images(project);
-  for (const StoredFrameSet& set : sets) {
-    if (!progress(comparison.comparedFrameCount, comparison.liveFrameCount)) {
-      return failure(ErrorCode::Canceled, "", "", "");
+  StoredFrameSource source(project, sets);
+  ReplayComparer comparer(live, comparison);
+  const std::array<FrameObserver*, 1> observers{&comparer};
+  bool isCanceled = false;
+  const auto shouldContinue = [&] {
+    while (comparison.comparedFrameCount < source.position()) { // no images, so it was not tracked
+      const auto next = static_cast<std::size_t>(comparison.comparedFrameCount);
+      countComparedFrame(sets[next].index, false, comparison);
     }
-    auto frames = images.read(set);
-    if (!frames) {
-      return tl::make_unexpected(frames.error());
-    }
-    bool same = false;
-    if (hasImages(**frames)) {
-      if (const Status tracked = trackOneFrame(*run, std::move(*frames), {}); !tracked) {
-        return tracked;
-      }
-      same = isSameFrame(set.index, run->samples(), live, comparison);
-    }
-    ++comparison.comparedFrameCount;
-    if (!same) {
-      ++comparison.differingFrameCount;
-      comparison.firstDifferingFrame = comparison.firstDifferingFrame.value_or(set.index);
-    }
-  }
-  return {};
+    isCanceled = source.position() < std::ssize(sets) &&
+                 !progress(comparison.comparedFrameCount, comparison.liveFrameCount);
+    return !isCanceled;
+  };
+  const Status tracked = trackFrames(source, {}, *run, observers, shouldContinue);
+  return isCanceled ? failure(ErrorCode::Canceled, "", "", "") : tracked;
 }
 
 } // namespace
