@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables of docs/architecture.md list the same floors and rooms as those of the tests.
+// The tables of docs/architecture.md list the same floors and rooms as those of the tests, and no
+// table has a circle.
 #include "tests/architecture/room_tables.h"
 
 #include <gtest/gtest.h>
@@ -187,6 +188,48 @@ TEST(ArchitecturePage, ListsTheFoldersOfThePrograms) {
   for (const std::string& program : windowlessPrograms()) {
     EXPECT_TRUE(named.contains(program)) << program;
   }
+}
+
+/// One of the rooms that include each other in a circle; empty if there is no circle.
+std::string roomInACircle(Rooms rooms) {
+  // Rooms that include nothing that is left are taken away, until none is left or all form circles.
+  const auto isLowest = [&rooms](const auto& entry) {
+    return std::ranges::none_of(entry.second,
+                                [&](const std::string& name) { return rooms.contains(name); });
+  };
+  auto lowest = std::ranges::find_if(rooms, isLowest);
+  while (lowest != rooms.end()) {
+    rooms.erase(lowest);
+    lowest = std::ranges::find_if(rooms, isLowest);
+  }
+  return rooms.empty() ? "" : "\"" + rooms.begin()->first + "\"";
+}
+
+TEST(RoomTables, HaveNoCircle) {
+  EXPECT_EQ(roomInACircle({floorTable().begin(), floorTable().end()}), "");
+  for (const auto& [floor, rooms] : roomTable()) {
+    EXPECT_EQ(roomInACircle(rooms), "") << floor;
+  }
+  for (const Names& floor : windowFloors()) {
+    Rooms rooms;
+    for (const std::string& from : floor) {
+      for (const std::string& to : floor) {
+        if (windowNeighbors(from, to)) {
+          rooms[from].insert(to);
+        }
+      }
+    }
+    EXPECT_EQ(roomInACircle(rooms), "") << *floor.begin();
+  }
+  EXPECT_EQ(roomInACircle({commandTable().begin(), commandTable().end()}), "");
+}
+
+TEST(SourceRules, FindsCirclesOfRooms) {
+  EXPECT_EQ(roomInACircle({}), "");
+  EXPECT_EQ(roomInACircle({{"", {"a", "b"}}, {"a", {"b"}}, {"b", {}}}), "");
+  EXPECT_EQ(roomInACircle({{"a", {"b"}}, {"b", {"a"}}}), "\"a\"");
+  EXPECT_EQ(roomInACircle({{"a", {"a"}}}), "\"a\"");
+  EXPECT_EQ(roomInACircle({{"", {"c"}}, {"b", {}}, {"c", {"b", "d"}}, {"d", {""}}}), "\"\"");
 }
 
 TEST(SourceRules, ReadsRoomsFromThePage) {
