@@ -60,7 +60,7 @@ void CameraMotionAlerts::showAlert(const CameraMotionReport& report, CameraMotio
   const int camera = static_cast<int>(report.event.camera);
   const QString what = tr("%1 was rotated by %2 (frame %3).")
                            .arg(name, angleText(report.event.rotation.turn.norm(), 2))
-                           .arg(static_cast<qlonglong>(report.event.frame)) +
+                           .arg(frameNumberText(report.event.frame)) +
                        QLatin1Char(' ');
   withdraw(camera);
   switch (stage) {
