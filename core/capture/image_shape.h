@@ -14,11 +14,11 @@ namespace dewpoint::capture {
 /// for error messages.
 struct ImageShape {
   std::string cameraName;
-  int rotateDegrees = 0;  ///< clockwise rotation of the images: 0, 90, 180 or 270 degrees
-  int width = 0;          ///< width after rotation and cropping, pixels; 0: any
-  int height = 0;         ///< height after rotation and cropping, pixels; 0: any
-  bool isMirrored = false;  ///< true if left and right are swapped after the rotation
-  ImageMargins crop = {}; ///< margins that are cut off after rotation and mirroring
+  int rotateDegrees = 0;   ///< clockwise rotation of the images: 0, 90, 180 or 270 degrees
+  int width = 0;           ///< width after rotation and cropping, pixels; 0: any
+  int height = 0;          ///< height after rotation and cropping, pixels; 0: any
+  bool isMirrored = false; ///< true if left and right are swapped after the rotation
+  ImageMargins crop = {};  ///< margins that are cut off after rotation and mirroring
 };
 
 /// Returns the name of a camera in quotation marks for error messages. The word "camera" is put

@@ -60,7 +60,7 @@ LiveCameraThread::LiveCameraThread(const LiveCamera& camera, LiveStreamFactory f
     : shared_(std::make_shared<Shared>()) {
   shared_->camera = camera;
   shared_->shape = {camera.name,   camera.rotateDegrees, camera.width,
-                    camera.height, camera.isMirrored,      camera.crop};
+                    camera.height, camera.isMirrored,    camera.crop};
   shared_->health = ImageHealth(camera.device.format.frameRate, camera.delaySeconds);
   shared_->factory = std::move(factory);
   shared_->wakeSignal = std::move(wakeSignal);

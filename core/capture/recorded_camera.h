@@ -26,7 +26,7 @@ struct RecordedCamera {
   /// Function that returns a new CV_8UC3 image for a frame number.
   std::function<cv::Mat(std::int64_t)> generate;
   std::int64_t generatedFrameCount = 0; ///< number of generated images
-  bool isMirrored = false;            ///< true if left and right are swapped after the rotation
+  bool isMirrored = false;              ///< true if left and right are swapped after the rotation
   /// Path of the file with a table of capture times (readCaptureTimes()). Empty if images are
   /// evenly spaced at the frame rate of the recording. Either all cameras have such a file or none.
   std::string timesFile;

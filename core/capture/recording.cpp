@@ -131,7 +131,8 @@ Status addTimes(const RecordedCamera& description, CaptureSchedule::CameraImages
   }
   if (std::ssize(*times) != pictures.imageCount) {
     return failure(ErrorCode::Mismatch, description.timesFile, field,
-        fmt::format("it has {} times, but there are {} images", times->size(), pictures.imageCount));
+                   fmt::format("it has {} times, but there are {} images", times->size(),
+                               pictures.imageCount));
   }
   pictures.times = std::move(*times);
   return {};

@@ -11,7 +11,8 @@ namespace dewpoint::session {
 /// Playing speed of a recording, chosen by the user.
 struct Pace {
   double speedFactor = 1.0; ///< factor relative to real time, between kSlowest and kFastest
-  /// If true, iterations are shown one by one until the cameras confirm every target /// (isConfirmed()), so that the user sees the filters converge.
+  /// If true, iterations are shown one by one until the cameras confirm every target ///
+  /// (isConfirmed()), so that the user sees the filters converge.
   bool slowUntilTracking = false;
 
   static constexpr double kSlowest = 1.0 / 30.0;

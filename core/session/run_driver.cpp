@@ -361,7 +361,8 @@ void RunDriver::fillSnapshot(const SnapshotBuilder& builder, bool quickly,
     input_.fillSourceFields(snapshot);
     snapshot.history = timeTravel().state();
   }
-  log_.setNotices(snapshot.notices, input_.latestFrameTime()); // without those below, whose numbers change
+  log_.setNotices(snapshot.notices,
+                  input_.latestFrameTime()); // without those below, whose numbers change
   std::ranges::move(watches_.motionWatch().notices(), std::back_inserter(snapshot.notices));
   recorder_.addStatistics(snapshot);
   recorder_.updateOldResults(definition());

@@ -44,7 +44,9 @@ public:
   /// Returns the number of iterations of the run.
   std::int64_t iterationCount() const { return run().iterationCount(); }
   /// Returns whether every target is held (confirmed by the cameras); true if there are no targets.
-  bool isEveryTargetHeld() const { return std::ranges::all_of(run().estimates(), tracking::isConfirmed); }
+  bool isEveryTargetHeld() const {
+    return std::ranges::all_of(run().estimates(), tracking::isConfirmed);
+  }
 
   // Playback.
   void play();

@@ -62,7 +62,7 @@ struct BoxEstimate {
   int particleCount = 0;
   bool isVisible = true;     ///< false while the target is assumed to be hidden
   bool isDegenerate = false; ///< no particle had a usable weight; all weights were set equal
-  int camera = 0;          ///< camera index in the rig
+  int camera = 0;            ///< camera index in the rig
 };
 
 /// Estimate of one person after a frame. World frame, meters.

@@ -46,7 +46,8 @@ class FuzzedServer {
 public:
   FuzzedServer() {
     auto opened = broadcast::WebServer::open(
-        "127.0.0.1", 0, std::make_shared<broadcast::RemoteCommandFilter>(kToken, acceptingReceiver()));
+        "127.0.0.1", 0,
+        std::make_shared<broadcast::RemoteCommandFilter>(kToken, acceptingReceiver()));
     expect(opened.has_value(), "the server does not open");
     server_ = std::move(*opened);
   }
@@ -122,7 +123,8 @@ void fuzzRemoteLines(std::string_view bytes) {
     for (const std::string& line : client.receive()) {
       expect(line.size() <= broadcast::kMaxRemoteCommandBytes && line.find('\n') == line.npos,
              "what was received is not one short line");
-      now += broadcast::RemoteCommandFilter::kLockoutTime; // so that wrong tokens do not end the reading
+      now += broadcast::RemoteCommandFilter::kLockoutTime; // so that wrong tokens do not end the
+                                                           // reading
       expectReply(gate.handle(line, now));
     }
   }

@@ -213,7 +213,8 @@ void ManualCalibration::togglePin(int camera, const Eigen::Vector2d& pixel, doub
   Q_EMIT changed();
 }
 
-bool ManualCalibration::hasGridCrossingNear(int camera, const Eigen::Vector2d& pixel, double reach) const {
+bool ManualCalibration::hasGridCrossingNear(int camera, const Eigen::Vector2d& pixel,
+                                            double reach) const {
   return geometry::gridCrossingAt(cameraInProject(camera), grid(), pixel, reach).has_value();
 }
 

@@ -31,7 +31,8 @@ PlotPanel* installPlots(const Workbench& bench) {
                      }
                      panel->append(iterations.records);
                    });
-  QObject::connect(&bench.document, &Document::projectReplaced, &panel->stack(), &PlotStack::showWholeRun);
+  QObject::connect(&bench.document, &Document::projectReplaced, &panel->stack(),
+                   &PlotStack::showWholeRun);
   QObject::connect(&bench.session, &SessionController::runAboutToRestart, &panel->stack(),
                    &PlotStack::showWholeRun);
   QObject::connect(panel, &PlotPanel::noticeRequested, &bench.messages, &MessageBar::showNotice);

@@ -84,8 +84,8 @@ void connectActions(const Workbench& bench, ViewDock* dock, Timeline* timeline) 
 void explainChange(const Workbench& bench, const ProjectChanges& changes) {
   const bool again = changes.boxesChanged && bench.document.methodFamily().retracksAfterEdit;
   const bool isLive = bench.session.shownSnapshot() && !bench.session.shownSnapshot()->frameCount;
-  if (isLive && bench.selection.isAwayFromLiveFrame() && (changes.parametersChanged || changes.targetsChanged) &&
-      !again) {
+  if (isLive && bench.selection.isAwayFromLiveFrame() &&
+      (changes.parametersChanged || changes.targetsChanged) && !again) {
     bench.messages.showNotice(
         Timeline::tr(
             "The change applies to new frames. Use “%1” to track again from the current frame.")

@@ -50,7 +50,8 @@ void paintOldResults(QPainter& painter, const TimelineModel& model, const Timeli
                      const TimelineRows& rows, const QPalette& palette) {
   painter.setPen(QPen(withAlpha(palette.color(QPalette::Text), kHatching), 1.0));
   for (const ResultRange& range : model.oldResults) {
-    const double begin = std::max(rows.ribbonsArea.left(), scale.xOf(static_cast<double>(range.firstFrame)));
+    const double begin =
+        std::max(rows.ribbonsArea.left(), scale.xOf(static_cast<double>(range.firstFrame)));
     const double end =
         std::min(rows.ribbonsArea.right(), scale.xOf(static_cast<double>(range.lastFrame) + 1.0));
     for (int k = 0; k < model.targetNames.size() && begin < end; ++k) {

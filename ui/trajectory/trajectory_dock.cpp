@@ -38,8 +38,10 @@ TrajectoryPanel* installTrajectory(const Workbench& bench, BirdsEyeView& birdsEy
   });
   bench.connectView(panel);
   QObject::connect(&run, &SessionController::iterationsLogged, panel, &TrajectoryPanel::refresh);
-  QObject::connect(&bench.document, &Document::projectReplaced, &panel->plots(), &PlotStack::showWholeRun);
-  QObject::connect(&run, &SessionController::runAboutToRestart, &panel->plots(), &PlotStack::showWholeRun);
+  QObject::connect(&bench.document, &Document::projectReplaced, &panel->plots(),
+                   &PlotStack::showWholeRun);
+  QObject::connect(&run, &SessionController::runAboutToRestart, &panel->plots(),
+                   &PlotStack::showWholeRun);
   QObject::connect(panel, &TrajectoryPanel::noticeRequested, &bench.messages,
                    &MessageBar::showNotice);
   QObject::connect(panel, &TrajectoryPanel::highlightChanged, &birdsEye, &BirdsEyeView::highlight);

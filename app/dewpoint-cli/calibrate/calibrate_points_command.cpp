@@ -87,8 +87,8 @@ void printPoints(const Project& project, const PointSolution& solution) {
   for (const ClickResidual& residual : solution.residuals) {
     fmt::print("{:<24} {:<16} {:>8.3f} {:>8.2f}\n",
                project.measuredPoints[static_cast<std::size_t>(residual.pointIndex)].name,
-               solution.rig[static_cast<std::size_t>(residual.camera)].name, residual.imageDistancePx,
-               inMillimeters(residual.rayDistance));
+               solution.rig[static_cast<std::size_t>(residual.camera)].name,
+               residual.imageDistancePx, inMillimeters(residual.rayDistance));
   }
   if (solution.worstPoint) {
     const std::string& name =

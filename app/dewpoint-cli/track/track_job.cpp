@@ -267,7 +267,8 @@ int TrackJob::run(SessionInputs inputs) const {
   if (const auto finished = output.finish(folder); !finished && tracked) {
     tracked = finished;
   }
-  figures.durationSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  figures.durationSeconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   figures.isFinished = tracked.has_value() && !wasInterruptionRequested();
   if (!tracked) {
     figures.notices.push_back(errorSentence(tracked.error()));

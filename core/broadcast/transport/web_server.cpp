@@ -247,7 +247,8 @@ bool isAllowedOrigin(std::string_view host, std::string_view origin, bool isLoop
 
 class WebServer::Impl {
 public:
-  Impl(const Tcp::endpoint& endpoint, std::shared_ptr<RemoteCommandFilter> gate, const PageTexts& texts)
+  Impl(const Tcp::endpoint& endpoint, std::shared_ptr<RemoteCommandFilter> gate,
+       const PageTexts& texts)
       : acceptor_(context_, endpoint), retry_(context_), place_(acceptor_.local_endpoint()) {
     hub_.gate = std::move(gate);
     hub_.texts = texts;

@@ -23,7 +23,7 @@ struct ReadMarker {
 /// Code (family of dictionaries with equally many cells) with which markers were read, and the
 /// version of the image in which they were read.
 struct MarkerReading {
-  int codeIndex = 0;          ///< index in markerCodes()
+  int codeIndex = 0;       ///< index in markerCodes()
   bool isInverted = false; ///< black and white are exchanged
   bool isMirrored = false; ///< the image is mirrored left to right
 

@@ -22,8 +22,9 @@ void fillBelief(const std::vector<Forecast>& forecasts, SuiteResult& result) {
   for (const ReliabilityBin& bin : table.bins) {
     const auto count = static_cast<double>(bin.forecastCount);
     const bool any = bin.forecastCount > 0;
-    result.trace.reliabilityCounts.push_back({bin.forecastCount, any ? count * bin.meanProbability : 0.0,
-                                        any ? std::llround(count * bin.observedFrequency) : 0});
+    result.trace.reliabilityCounts.push_back(
+        {bin.forecastCount, any ? count * bin.meanProbability : 0.0,
+         any ? std::llround(count * bin.observedFrequency) : 0});
   }
 }
 

@@ -148,9 +148,8 @@ void fillReliability(const std::vector<Forecast>& forecasts, SuiteResult& result
   for (const ReliabilityBin& bin : table.bins) {
     const auto count = static_cast<double>(bin.forecastCount);
     result.trace.reliabilityCounts.push_back(
-        {bin.forecastCount,
-                                        bin.forecastCount > 0 ? count * bin.meanProbability : 0.0,
-                                        bin.forecastCount > 0 ? std::llround(count * bin.observedFrequency) : 0});
+        {bin.forecastCount, bin.forecastCount > 0 ? count * bin.meanProbability : 0.0,
+         bin.forecastCount > 0 ? std::llround(count * bin.observedFrequency) : 0});
   }
 }
 

@@ -74,8 +74,9 @@ RunDefinitionPtr definitionFrom(const BackwardRequest& order) {
   definition->corrections = {order.startCorrection};
   for (std::size_t k = 0; k < definition->targets.size(); ++k) {
     for (const TrajectorySample& sample : order.estimates) {
-      if (static_cast<int>(k) != order.startCorrection.target && sample.frame == order.startCorrection.frame &&
-          sample.isValid && sample.target == definition->targets[k].name) {
+      if (static_cast<int>(k) != order.startCorrection.target &&
+          sample.frame == order.startCorrection.frame && sample.isValid &&
+          sample.target == definition->targets[k].name) {
         definition->corrections.push_back({.frame = order.startCorrection.frame,
                                            .target = static_cast<int>(k),
                                            .position = sample.position,

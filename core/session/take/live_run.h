@@ -57,10 +57,14 @@ inline constexpr const char* kLiveProject = "live.toml";
 /// each camera K image_K and time_K_ns. image_K is the number of the image in the video, `lost` if
 /// the image is not in the take, or empty if the camera had none.
 std::string storedFrameSetsCsv(const std::vector<StoredFrameSet>& sets);
-/// Writes the CSV table of the images of a live run (storedFrameSetsCsv()) to a file. Returns an /// error if the file cannot be written.
-Status writeStoredFrameSets(const std::vector<StoredFrameSet>& sets, const std::filesystem::path& file);
-/// Reads the CSV table of the images of a live run (storedFrameSetsCsv()) from a file, for this /// number of cameras. Returns the errors of readTextFile(), and NotParsed with the line number of a /// row that is invalid or has numbers out of range.
+/// Writes the CSV table of the images of a live run (storedFrameSetsCsv()) to a file. Returns an
+/// /// error if the file cannot be written.
+Status writeStoredFrameSets(const std::vector<StoredFrameSet>& sets,
+                            const std::filesystem::path& file);
+/// Reads the CSV table of the images of a live run (storedFrameSetsCsv()) from a file, for this ///
+/// number of cameras. Returns the errors of readTextFile(), and NotParsed with the line number of a
+/// /// row that is invalid or has numbers out of range.
 Result<std::vector<StoredFrameSet>> readStoredFrameSets(const std::filesystem::path& file,
-                                              std::size_t cameras);
+                                                        std::size_t cameras);
 
 } // namespace dewpoint::session

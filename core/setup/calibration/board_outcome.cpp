@@ -79,8 +79,10 @@ void recordPoses(const BoardCalibrationRequest& request, BoardOutcome& outcome) 
   WorldRecord& world = outcome.project.worldRecord;
   world.scaleOrigin = CalibrationOrigin::Board;
   world.scaleError = outcome.accuracy ? outcome.accuracy->scaleError95 : std::nullopt;
-  world.errorInsideVolume = outcome.accuracy ? std::optional(outcome.accuracy->positionError95) : std::nullopt;
-  world.errorOutsideVolume = outcome.accuracy ? outcome.accuracy->outsidePositionError95 : std::nullopt;
+  world.errorInsideVolume =
+      outcome.accuracy ? std::optional(outcome.accuracy->positionError95) : std::nullopt;
+  world.errorOutsideVolume =
+      outcome.accuracy ? outcome.accuracy->outsidePositionError95 : std::nullopt;
   world.lengthCheck.reset();
   if (request.floorFrame) {
     world.floorOrigin = CalibrationOrigin::Board;

@@ -72,7 +72,7 @@ Result<CreatedProject> withOneCamera(Project project, std::size_t index, const C
   const auto fits =
       fitCalibration(changed, request.adaptation.sizeFit, request.path.string(), made.decisions);
   changed.calibrationRecord = {recordOfLens(changed.camera, CalibrationOrigin::File),
-                        recordOfPose(changed.camera, CalibrationOrigin::File)};
+                               recordOfPose(changed.camera, CalibrationOrigin::File)};
   return fits ? Result<CreatedProject>(std::move(made)) : tl::make_unexpected(fits.error());
 }
 

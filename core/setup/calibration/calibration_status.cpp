@@ -90,9 +90,9 @@ CalibrationStatus calibrationStatus(const Project& project) {
   if (!status.isUpright) {
     status.floor = {};
   }
-  const bool isAllMeasured =
-      !status.cameras.empty() && countKnownCameras(status, &CameraCalibrationStatus::pose,
-                                            KnowledgeLevel::Measured) == status.cameras.size();
+  const bool isAllMeasured = !status.cameras.empty() &&
+                             countKnownCameras(status, &CameraCalibrationStatus::pose,
+                                               KnowledgeLevel::Measured) == status.cameras.size();
   status.errorInVolume = isAllMeasured ? record.errorInsideVolume : std::nullopt;
   status.errorOutsideVolume = isAllMeasured ? record.errorOutsideVolume : std::nullopt;
   status.lengthCheck =

@@ -88,7 +88,8 @@ Result<MirroredVideos> findMirroredVideos(FrameSetSource& source, const BoardDes
     for (std::size_t k = 0; *set != nullptr && k < (*set)->frames.size(); ++k) {
       sides.resize(std::max(sides.size(), k + 1));
       if ((*set)->frames[k] != nullptr) {
-        const MirroringCounts one = countMirroredImages(board, {reducedGrayImage((*set)->frames[k]->image)});
+        const MirroringCounts one =
+            countMirroredImages(board, {reducedGrayImage((*set)->frames[k]->image)});
         sides[k].unmirroredCount += one.unmirroredCount;
         sides[k].mirroredCount += one.mirroredCount;
       }

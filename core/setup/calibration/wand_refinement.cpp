@@ -36,8 +36,8 @@ constexpr double kSevereGap = 0.5; ///< MotionGap::severity
 /// the former cameras. Gross errors have been dropped already.
 std::optional<double> errorBefore(const WandOptions& options, const CameraRig& before,
                                   const WandResult& result) {
-  const bool onlyCameras = !options.estimatesTimeOffsets && !result.isFloorFound && !result.freeFall &&
-                           result.scaleMethod != WandScale::Distance &&
+  const bool onlyCameras = !options.estimatesTimeOffsets && !result.isFloorFound &&
+                           !result.freeFall && result.scaleMethod != WandScale::Distance &&
                            result.scaleMethod != WandScale::Diameter;
   if (!onlyCameras || before.size() != result.problem.cameras.size()) {
     return std::nullopt;
@@ -99,7 +99,7 @@ void recordCameras(const WandRefinement& refinement, Project& project) {
     ProjectCamera& camera = project.cameras[k];
     const double sigma = sigmaOf(k);
     camera.calibrationRecord.pose = recordOfPose(camera.camera, CalibrationOrigin::Wand,
-                                          sigma > 0.0 ? std::optional(sigma) : std::nullopt);
+                                                 sigma > 0.0 ? std::optional(sigma) : std::nullopt);
     if (refinement.options.estimatesFocalLengths || refinement.options.estimatesDistortion) {
       camera.calibrationRecord.lens = recordOfLens(camera.camera, CalibrationOrigin::Wand);
     }
@@ -248,8 +248,8 @@ std::string htmlText(const WandRefinement& refinement) {
   report.initialRig = refinement.camerasBefore;
   report.result = refinement.result;
   report.accuracyText = refinement.accuracy
-                        ? accuracySummary(*refinement.accuracy)
-                        : "Accuracy unknown: " + errorSentence(refinement.accuracy.error());
+                            ? accuracySummary(*refinement.accuracy)
+                            : "Accuracy unknown: " + errorSentence(refinement.accuracy.error());
   report.coverage = ballCoverageOf(refinement.result);
   report.hasTimeOffsets = refinement.options.estimatesTimeOffsets;
   for (const MotionGap& gap : refinement.gaps) {

@@ -110,9 +110,9 @@ Result<WandProblem> makeWandProblem(const Project& project, const WandOptions& o
   }
   problem.stickLength = options.stickLength;
   problem.scaleMethod = options.stickLength > 0.0  ? WandScale::Stick
-                  : options.touchedDistance         ? WandScale::Distance
-                  : options.usesBallDiameter ? WandScale::Diameter
-                                             : WandScale::InitialRig;
+                        : options.touchedDistance  ? WandScale::Distance
+                        : options.usesBallDiameter ? WandScale::Diameter
+                                                   : WandScale::InitialRig;
   problem.distance = options.touchedDistance.value_or(TouchedDistance{});
   problem.floorTimes = options.floorTimes;
   problem.freeFallSpan = options.freeFallSpan;

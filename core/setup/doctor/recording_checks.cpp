@@ -63,12 +63,12 @@ public:
       examination_.add(FindingKind::RecordingMissing, {name_, camera_.location}, field_);
       return;
     }
-    auto reader =
-        camera_.source == SourceKind::Video
-            ? openVideoReader(camera_.location, "",
-                              readRecordedStamps(camera_.captureTimeFile,
-                                             captureTimeIds(camera_.camera.name, camera_.location)))
-            : openImageFolderReader(camera_.location, "");
+    auto reader = camera_.source == SourceKind::Video
+                      ? openVideoReader(camera_.location, "",
+                                        readRecordedStamps(
+                                            camera_.captureTimeFile,
+                                            captureTimeIds(camera_.camera.name, camera_.location)))
+                      : openImageFolderReader(camera_.location, "");
     if (!reader) {
       examination_.addForFile(camera_.location, FindingKind::RecordingUnreadable,
                               {name_, messageWithoutFile(reader.error())});

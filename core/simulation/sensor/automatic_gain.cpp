@@ -62,8 +62,8 @@ GainCurve automaticGains(const AutomaticGain& control, std::span<const Eigen::Ve
                       control.huntingAmplitudeStops * std::sin(angle));
   }
   const double settled = lightStops.empty() ? 0.0 : control.exposureOffsetStops - lightStops[0][1];
-  const auto exposure =
-      simulateControlLoop(control.exposureLoop, metered, settled + control.initialExposureErrorStops);
+  const auto exposure = simulateControlLoop(control.exposureLoop, metered,
+                                            settled + control.initialExposureErrorStops);
   const auto blue = balanced(control, lightStops, 0, control.whiteBalanceStops[0]);
   const auto red = balanced(control, lightStops, 2, control.whiteBalanceStops[1]);
   GainCurve curve;

@@ -48,7 +48,7 @@ struct GainCurve {
 struct AutomaticGain {
   ControlLoop exposureLoop;
   ControlLoop whiteBalanceLoop;
-  double initialExposureErrorStops = 0.0;   ///< error of the exposure at frame 0, stops
+  double initialExposureErrorStops = 0.0; ///< error of the exposure at frame 0, stops
   double exposureOffsetStops = 0.0; ///< settled exposure relative to the nominal exposure, stops
   /// Amplitude of a periodic error in the measured brightness, stops. The error imitates objects
   /// that enter and leave the image.

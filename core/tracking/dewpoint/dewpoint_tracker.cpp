@@ -118,7 +118,8 @@ void DewpointTracker::correctPosition(std::size_t target, const Gaussian3& posit
     object.track.correct(position, object.observation, object.randomKey(key_), team);
   } else {
     images_.passImagesTo(object.shapeTracking->observation(), object.color);
-    object.shapeTracking->correct(position, object.track.target().radius, object.randomKey(key_), team);
+    object.shapeTracking->correct(position, object.track.target().radius, object.randomKey(key_),
+                                  team);
     object.track.setOnlyHypothesis(object.shapeTracking->track().hypothesis());
   }
   updateEstimate(target);

@@ -119,7 +119,7 @@ void MohedanoTracker::updateBeliefs(ThreadTeam& team) {
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
       if (cameras().isUsable(k) && !people_.empty()) {
         computeMotionLikelihood(cameras().foregroundMask(k), parameters_.at("mask_sigma"),
-                         parameters_.at("motion_floor"), likelihoods_[k]);
+                                parameters_.at("motion_floor"), likelihoods_[k]);
       }
     }
   });
@@ -151,7 +151,8 @@ void MohedanoTracker::describe(const StateEstimate& estimate, const Belief& beli
   person.particleCount = static_cast<int>(belief.filter.states().rows());
   if (color_) {
     person.hueAndSaturation = Eigen::Vector2d(
-        meanHue(belief.filter.states().col(6), belief.filter.weights().linearWeights()), estimate.mean[7]);
+        meanHue(belief.filter.states().col(6), belief.filter.weights().linearWeights()),
+        estimate.mean[7]);
   }
 }
 

@@ -300,7 +300,8 @@ BodyCloud PeopleParticleTracker::bodyOf(int identity) const {
   std::vector<cv::Mat> likelihoods(cameras().cameraCount());
   for (std::size_t k = 0; k < cameras().cameraCount(); ++k) {
     if (cameras().isUsable(k)) {
-      computeMotionLikelihood(cameras().foregroundMask(k), kBodyMaskSigma, kBodyMaskFloor, likelihoods[k]);
+      computeMotionLikelihood(cameras().foregroundMask(k), kBodyMaskSigma, kBodyMaskFloor,
+                              likelihoods[k]);
     }
     views.push_back({&cameras().projector(k), likelihoods[k], cv::Mat()});
   }

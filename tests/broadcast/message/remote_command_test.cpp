@@ -96,9 +96,9 @@ TEST(RemoteCommandFilter, WrongTokensLockItForAWhile) {
   EXPECT_NE(gate.handle(right, begin + std::chrono::seconds(10)).find("too many"),
             std::string::npos);
   EXPECT_EQ(calls, 0);
-  EXPECT_NE(
-      gate.handle(right, begin + RemoteCommandFilter::kLockoutTime + std::chrono::seconds(1)).find("true"),
-      std::string::npos);
+  EXPECT_NE(gate.handle(right, begin + RemoteCommandFilter::kLockoutTime + std::chrono::seconds(1))
+                .find("true"),
+            std::string::npos);
   EXPECT_EQ(calls, 1);
 }
 

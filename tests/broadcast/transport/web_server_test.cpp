@@ -17,8 +17,8 @@ using broadcast::WebServer;
 
 std::unique_ptr<WebServer> webServer(const std::string& token = "",
                                      broadcast::RemoteReceiver receiver = {}) {
-  auto server =
-      WebServer::open("127.0.0.1", 0, std::make_shared<RemoteCommandFilter>(token, std::move(receiver)));
+  auto server = WebServer::open("127.0.0.1", 0,
+                                std::make_shared<RemoteCommandFilter>(token, std::move(receiver)));
   EXPECT_TRUE(server);
   return std::move(*server);
 }

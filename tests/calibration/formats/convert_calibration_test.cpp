@@ -147,7 +147,9 @@ TEST(ConvertCalibration, RefitsALensThatTheFormatCannotHoldAndSaysTheLoss) {
     EXPECT_TRUE(conversion->cameraDifferences[1].isRefitted) << name;
     EXPECT_LT(conversion->cameraDifferences[1].maxDifferencePx, 0.549) << name;
   }
-  EXPECT_EQ(writeCalibration(rig, target(**findCalibrationFormat("mrcal")))->cameraDifferences[0].isRefitted,
+  EXPECT_EQ(writeCalibration(rig, target(**findCalibrationFormat("mrcal")))
+                ->cameraDifferences[0]
+                .isRefitted,
             false);
 }
 

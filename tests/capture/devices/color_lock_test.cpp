@@ -37,9 +37,9 @@ TEST(ColorLock, SwitchesAutomaticsOffAtTheirPresentValues) {
 
 TEST(ColorLock, SaysWhatTheDeviceCannotDo) {
   auto controls = fakeControls();
-  controls[1].isStuck = true;                              // its white balance stays automatic
+  controls[1].isStuck = true;                         // its white balance stays automatic
   controls[4].menu = {{3, "Aperture Priority Mode"}}; // no manual exposure
-  controls.erase(controls.begin() + 2);                    // no gain
+  controls.erase(controls.begin() + 2);               // no gain
   const auto lock = lockColors(*accessTo(machineWith(controls)), kLockedPath);
   ASSERT_TRUE(lock) << errorSentence(lock.error());
   ASSERT_EQ(lock->refusals.size(), 2U);

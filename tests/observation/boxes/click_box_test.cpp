@@ -125,7 +125,8 @@ TEST(BoxContrast, IsGreatestForTheThingItself) {
     EXPECT_LT(contrast.contrastOf(ImageBox::around({40.5, 40.5}, size, size)), itself) << size;
   }
   EXPECT_LT(contrast.contrastOf(ImageBox::around({45.5, 40.5}, 17.0, 17.0)), itself);
-  EXPECT_EQ(BoxContrast(image, {10.0, 10.0}).contrastOf(ImageBox::around({40.5, 40.5}, 17.0, 17.0)), 0.0)
+  EXPECT_EQ(BoxContrast(image, {10.0, 10.0}).contrastOf(ImageBox::around({40.5, 40.5}, 17.0, 17.0)),
+            0.0)
       << "the pixel has the color of the ring";
 }
 

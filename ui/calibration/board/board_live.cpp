@@ -131,7 +131,9 @@ void BoardLive::fillRow(const Row& row, const BoardGuideState& state, std::size_
   row.accuracy->setText(lens ? lensAccuracyText(of, calibrator_.guideRequest().lensGuidance)
                              : positionAccuracyText(of));
   row.sharpness->setText(sharpnessText(of, calibrator_.guideRequest().lensGuidance));
-  const double held = lens ? of.lensGuidance.holdProgress : of.detection ? state.rigGuidance.holdProgress : 0.0;
+  const double held = lens           ? of.lensGuidance.holdProgress
+                      : of.detection ? state.rigGuidance.holdProgress
+                                     : 0.0;
   row.holdProgress->setValue(static_cast<int>(kHeldSteps * held));
   row.holdProgress->setAccessibleName(
       tr("Time for which the board was held still in front of %1").arg(calibrator_.nameOf(camera)));

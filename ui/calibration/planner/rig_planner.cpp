@@ -238,7 +238,8 @@ void RigPlanner::applyPlacement(const Result<PlacedCamera>& found) {
           .arg(QString::fromStdString(found->camera.name),
                lengthNumber(place.x(), LengthScale::Meters, 2),
                lengthNumber(place.y(), LengthScale::Meters, 2),
-               lengthText(place.z(), LengthScale::Meters, 2), percentText(found->goodVolumeFractionAfter),
+               lengthText(place.z(), LengthScale::Meters, 2),
+               percentText(found->goodVolumeFractionAfter),
                lengthText(look_.maxGoodSigma, LengthForm::Short),
                percentText(found->goodVolumeFractionBefore)));
 }

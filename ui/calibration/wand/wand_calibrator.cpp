@@ -118,7 +118,8 @@ void WandCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
 
 void WandCalibrator::startCollectingViews() {
   Session* session = dependencies_.session();
-  const auto colors = wandColorClassifiers(project(), toWandOptions(settings_, markedInstants_, project()));
+  const auto colors =
+      wandColorClassifiers(project(), toWandOptions(settings_, markedInstants_, project()));
   if (session == nullptr) {
     return;
   }

@@ -51,8 +51,8 @@ bool withColoredLamp(ScenarioDraft& draft) {
     return false;
   }
   // Kelvin: bulbs of 2700 to 3500 K, blue sky of 8000 to 10000 K. Strengths of full light.
-  const double kelvin =
-      draft.draws.flipCoin() ? draft.draws.drawUniform(2700.0, 3500.0) : draft.draws.drawUniform(8e3, 10e3);
+  const double kelvin = draft.draws.flipCoin() ? draft.draws.drawUniform(2700.0, 3500.0)
+                                               : draft.draws.drawUniform(8e3, 10e3);
   const double strength = draft.draws.drawUniform(0.3, 0.5);
   const double up = draft.draws.drawUniform(0.3, 1.5);
   const auto lamp = lampBeside(draft, up, strength * simulation::colorTemperatureGain(kelvin));

@@ -26,12 +26,12 @@ struct GradeModel {
   /// light in the room requires. CameraGain::exposureGain, which also changes the noise, is
   /// relative to this gain.
   Range fullWellElectrons;
-  Range readNoiseElectrons;      ///< standard deviation of the read noise, electrons
-  Range contrast;           ///< SensorModel::contrast: exponent applied to the tone curve
-  Range sharpening;         ///< Sharpening::amount: strength of the unsharp mask
-  Range sharpeningSigma;    ///< standard deviation of the blur in the unsharp mask, pixels
-  Range jpegQuality;        ///< JPEG quality of the images, 1 to 100
-  Range vignette;           ///< fraction of light lost in the corners
+  Range readNoiseElectrons;    ///< standard deviation of the read noise, electrons
+  Range contrast;              ///< SensorModel::contrast: exponent applied to the tone curve
+  Range sharpening;            ///< Sharpening::amount: strength of the unsharp mask
+  Range sharpeningSigma;       ///< standard deviation of the blur in the unsharp mask, pixels
+  Range jpegQuality;           ///< JPEG quality of the images, 1 to 100
+  Range vignette;              ///< fraction of light lost in the corners
   double maxSideFalloff = 0.0; ///< largest fraction of light gained or lost toward a border
 
   // Exposure and white balance.
@@ -39,10 +39,11 @@ struct GradeModel {
   Range
       exposureOffsetStops; ///< settled exposure relative to the nominal one, stops (factors of two)
   Range initialExposureErrorStops; ///< error of the exposure at frame 0, stops
-  Range whiteBalanceStops; ///< constant error of blue and red, stops
-  Range huntingAmplitudeStops;      ///< amplitude of a periodic error in the measured brightness, stops
-  Range huntingPeriodSeconds; ///< period of the error in the measured brightness, seconds
-  /// ControlLoop::correctedFractionPerFrame: fraction of the exposure error that is corrected per /// frame.
+  Range whiteBalanceStops;         ///< constant error of blue and red, stops
+  Range huntingAmplitudeStops; ///< amplitude of a periodic error in the measured brightness, stops
+  Range huntingPeriodSeconds;  ///< period of the error in the measured brightness, seconds
+  /// ControlLoop::correctedFractionPerFrame: fraction of the exposure error that is corrected per
+  /// /// frame.
   Range exposureLoopSpeed;
   /// ControlLoop::lagInFrames: number of frames from a measurement to its effect.
   Range exposureLoopLagFrames;

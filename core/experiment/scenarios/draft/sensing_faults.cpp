@@ -39,7 +39,8 @@ void addUnevenLight(const SensingFaults& faults, simulation::Stage& stage) {
     const simulation::RoomView& view = *stage.views[camera];
     const UnevenLight& light = faults.cameras[camera].unevenLight;
     stage.illuminationGains.push_back(
-        simulation::unevenLightGains({view.width, view.height}, light.vignette, light.lightGainTowardRight, light.lightGainTowardBottom));
+        simulation::unevenLightGains({view.width, view.height}, light.vignette,
+                                     light.lightGainTowardRight, light.lightGainTowardBottom));
   }
 }
 

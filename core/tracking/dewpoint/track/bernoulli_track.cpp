@@ -172,7 +172,8 @@ void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const Cand
   const double absence = absenceProbabilityInSharedViews(hypotheses_);
   const bool first = hypotheses_.empty();
   for (const Candidate& candidate : search(observation, radiusKnown, kMaxCandidates)) {
-    const OutlineFit fit = fitCandidateOutline(candidate, radiusPrior_, settings_.searchCubeEdge, observation);
+    const OutlineFit fit =
+        fitCandidateOutline(candidate, radiusPrior_, settings_.searchCubeEdge, observation);
     if (!fit.isFound) {
       continue;
     }

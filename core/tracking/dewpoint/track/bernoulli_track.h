@@ -30,7 +30,7 @@ struct BernoulliTrackSettings {
   /// Standard deviation of the acceleration, m/s². The caller must set this value.
   double accelerationSigma = 0.0;
   double survivalSeconds = 5.0; ///< seconds for which an unseen target still counts as present
-  double searchCubeEdge = 4.0;   ///< edge length of the space in which a target may appear, meters
+  double searchCubeEdge = 4.0;  ///< edge length of the space in which a target may appear, meters
   SystematicErrors systematicErrors; ///< systematic errors included in estimates
 };
 
