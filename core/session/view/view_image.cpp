@@ -59,7 +59,7 @@ void drawMaskOutline(cv::Mat& view, const cv::Mat& mask, const cv::Mat& tints) {
     return;
   }
   // With a margin for the dark pixels around the mask, and for the neighbors that decide on them.
-  constexpr int kMargin = 2;
+  constexpr int kMargin = 2; // pixels
   const cv::Rect part =
       (masked + cv::Size(2 * kMargin, 2 * kMargin) - cv::Point(kMargin, kMargin)) &
       cv::Rect({}, view.size());
